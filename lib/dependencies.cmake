@@ -1,0 +1,30 @@
+# Every third-party package the library links, all packaged by Debian 12 and permissively licensed.
+set(THREADS_PREFER_PTHREAD_FLAG ON)
+find_package(Threads REQUIRED)
+find_package(TBB REQUIRED)
+find_package(glm REQUIRED)
+find_package(Imath REQUIRED)
+find_package(OpenEXR REQUIRED)
+find_package(OpenImageIO REQUIRED)
+# Debian 12 files this package under share/cmake itself, where CMake looks only when told.
+find_package(OpenColorIO REQUIRED HINTS /usr/share/cmake)
+find_package(nlohmann_json REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(zstd REQUIRED IMPORTED_TARGET libzstd)
+pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
+pkg_check_modules(hwy REQUIRED IMPORTED_TARGET libhwy)
+add_library(zstd ALIAS PkgConfig::zstd)
+add_library(xxhash ALIAS PkgConfig::xxhash)
+add_library(hwy::hwy ALIAS PkgConfig::hwy)
+
+# Debian 12's OpenImageIO names /usr/include/opencv4, which only libopencv-dev provides; CMake
+# refuses a missing include directory.
+get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
+list(FILTER oiio_includes EXCLUDE REGEX opencv)
+set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
+                      INTERFACE_INCLUDE_DIRECTORIES "${oiio_includes}")
+
+foreach(package OpenImageIO::OpenImageIO OpenColorIO::OpenColorIO OpenEXR::OpenEXR Imath::Imath
+                glm::glm)
+  set_target_properties(${package} PROPERTIES IMPORTED_GLOBAL TRUE)
+endforeach()

@@ -1,0 +1,97 @@
+#include "splitsum/base/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <string>
+
+#include "splitsum/base/text.h"
+
+namespace splitsum {
+namespace {
+
+namespace fs = std::filesystem;
+
+Error unwritable(const fs::path& path, const std::string& reason) {
+    return {ErrorKind::unwritable_output, cat("cannot write ", path.string(), ": ", reason)};
+}
+
+// The process id keeps two processes that write the same file apart.
+fs::path temporary_beside(const fs::path& path) {
+    fs::path name = path;
+    name += cat(".", getpid(), ".part");
+    return name;
+}
+
+Status flush_to_disk(const fs::path& file) {
+    const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) return unwritable(file, std::strerror(errno));
+    const int failure = fsync(descriptor) != 0 ? errno : 0;
+    close(descriptor);
+    if (failure != 0) return unwritable(file, std::strerror(failure));
+    return ok;
+}
+
+Status write_all(const fs::path& file, const std::byte* data, size_t size) {
+    const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (descriptor < 0) return unwritable(file, std::strerror(errno));
+    int failure = 0;
+    while (size > 0 && failure == 0) {
+        const ssize_t written = ::write(descriptor, data, size);
+        if (written < 0 && errno != EINTR) failure = errno;
+        if (written > 0) {
+            data += written;
+            size -= static_cast<size_t>(written);
+        }
+    }
+    if (close(descriptor) != 0 && failure == 0) failure = errno;
+    if (failure != 0) return unwritable(file, std::strerror(failure));
+    return ok;
+}
+
+}  // namespace
+
+Status write_file_whole(const fs::path& path,
+                        const std::function<Status(const fs::path& temporary)>& write) {
+    std::error_code failure;
+    // Renaming over a link would replace the link, over a device the device: follow the first,
+    // refuse the second.
+    const fs::path target = fs::is_symlink(path, failure) ? fs::weakly_canonical(path, failure) : path;
+    if (fs::exists(target, failure) && !fs::is_regular_file(target, failure))
+        return unwritable(path, "it exists and is not a regular file");
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder, failure))
+        return unwritable(path, cat("the folder ", folder.string(), " does not exist"));
+
+    const fs::path temporary = temporary_beside(target);
+    Status status = write(temporary);
+    if (status) status = flush_to_disk(temporary);
+    if (status) {
+        fs::rename(temporary, target, failure);
+        if (failure) status = unwritable(path, failure.message());
+    }
+    if (!status) fs::remove(temporary, failure);
+    return status;
+}
+
+Status write_bytes_whole(const fs::path& path, std::span<const std::byte> bytes) {
+    return write_file_whole(path, [&](const fs::path& temporary) {
+        return write_all(temporary, bytes.data(), bytes.size());
+    });
+}
+
+Status write_text_whole(const fs::path& path, std::string_view text) {
+    return write_bytes_whole(path, std::as_bytes(std::span(text.data(), text.size())));
+}
+
+Status make_folder(const fs::path& folder) {
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure) return unwritable(folder, failure.message());
+    return ok;
+}
+
+}  // namespace splitsum

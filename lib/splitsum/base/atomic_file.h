@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <span>
+
+#include "splitsum/base/result.h"
+
+namespace splitsum {
+
+/// Calls write(temporary) with a name in the folder of `path`, makes what was written durable, and
+/// renames it to `path`: the file appears complete or not at all, and an older file of that name
+/// survives every failure. The temporary is removed when anything fails.
+///
+/// Fails with unwritable_output (the folder is missing, not writable, full, ...) or with the error
+/// that `write` returned.
+Status write_file_whole(const std::filesystem::path& path,
+                        const std::function<Status(const std::filesystem::path& temporary)>& write);
+
+/// Writes `bytes` to `path`, whole or not at all.
+Status write_bytes_whole(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+/// Writes `text` to `path`, whole or not at all.
+Status write_text_whole(const std::filesystem::path& path, std::string_view text);
+
+/// Makes sure that `folder` exists, creating it and its parents. Fails with unwritable_output.
+Status make_folder(const std::filesystem::path& folder);
+
+}  // namespace splitsum

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "splitsum/base/result.h"
+
+namespace splitsum {
+
+/// Which perceptual roughness each mip level holds.
+///
+/// `linear`: r = level / (levels - 1), as Bevy and the glTF samplers read it. `filament`:
+/// r = 1 - sqrt(1 - lod) with lod = level / (levels - 1), as Filament and three read it (their
+/// lod is r (2 - r)). A list names every level itself. The first two are twins of
+/// shaders/include/splitsum_levels.glsl.
+struct RoughnessCurve {
+    enum class Kind { linear, filament, list };
+    Kind kind = Kind::linear;
+    std::vector<double> list;  ///< perceptual roughness of every level, ascending, in [0, 1]
+};
+
+/// Reads "linear", "filament" or a list such as "0,0.25,0.5,1". Fails with bad_argument.
+Result<RoughnessCurve> parse_roughness_curve(const std::string& text);
+
+/// The text that parse_roughness_curve reads.
+std::string to_string(const RoughnessCurve& curve);
+
+/// The perceptual roughness of each of `levels` levels; a single level holds r = 0.
+std::vector<double> roughness_of_levels(const RoughnessCurve& curve, int levels);
+
+/// The level, between 0 and levels - 1 and in general not whole, at which a renderer finds
+/// `perceptual_roughness` (clamped to [0, 1]).
+double level_of_roughness(const RoughnessCurve& curve, int levels, double perceptual_roughness);
+
+}  // namespace splitsum

@@ -1,0 +1,1 @@
+#include "splitsum/table/split_sum.h"

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "splitsum/base/result.h"
+#include "splitsum/sphere/cubemap.h"
+#include "splitsum/texture/pixel_format.h"
+
+namespace splitsum {
+
+/// A texture as a container stores it, whichever container that is: encoded texels and the
+/// conventions that tell what a lookup means.
+struct TextureAsset {
+    PixelFormat format = PixelFormat::rgba16f;
+    int width = 0;       ///< of level 0, in texels
+    int height = 0;
+    int face_count = 1;  ///< 1, or 6 for a cubemap (width = height)
+    /// levels[l]: the texels of mip level l, face by face, row by row, without padding; level l is
+    /// max(1, width >> l) wide.
+    std::vector<std::vector<std::byte>> levels;
+    /// Conventions and provenance under "splitsum.*" and the container's own keys, as text.
+    std::map<std::string, std::string> metadata;
+};
+
+/// Two channels over a 2D grid, row by row: the split-sum table.
+struct Table {
+    int width = 0;
+    int height = 0;
+    std::vector<Vec2> texels;
+};
+
+/// The levels as a cubemap texture. Level l must have max(1, levels[0].face_size >> l) texels along
+/// its edge; `format` must have three channels. Adds what did not fit to `counts`, one entry a level.
+TextureAsset texture_from_cubemaps(std::span<const Cubemap> levels, PixelFormat format,
+                                   std::vector<EncodeCounts>& counts);
+
+/// The table as a 2D texture; `format` must have two channels.
+TextureAsset texture_from_table(const Table& table, PixelFormat format, EncodeCounts& counts);
+
+/// What an engine reads back: the levels as floats. Fails with unusable_input for a texture that is
+/// not a cubemap of colours.
+Result<std::vector<Cubemap>> cubemaps_of(const TextureAsset& texture);
+
+/// What an engine reads back: the table as floats. Fails with unusable_input for other textures.
+Result<Table> table_of(const TextureAsset& texture);
+
+}  // namespace splitsum
