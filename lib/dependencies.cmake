@@ -1,4 +1,4 @@
-# Every third-party package the library links, all packaged by Debian 12 and permissively licensed.
+# Every third-party package that the library and the tools link, all packaged by Debian 12 and permissively licensed.
 set(THREADS_PREFER_PTHREAD_FLAG ON)
 find_package(Threads REQUIRED)
 find_package(TBB REQUIRED)
@@ -9,6 +9,7 @@ find_package(OpenImageIO REQUIRED)
 # Debian 12 files this package under share/cmake itself, where CMake looks only when told.
 find_package(OpenColorIO REQUIRED HINTS /usr/share/cmake)
 find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(zstd REQUIRED IMPORTED_TARGET libzstd)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
@@ -23,8 +24,3 @@ get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIR
 list(FILTER oiio_includes EXCLUDE REGEX opencv)
 set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
                       INTERFACE_INCLUDE_DIRECTORIES "${oiio_includes}")
-
-foreach(package OpenImageIO::OpenImageIO OpenColorIO::OpenColorIO OpenEXR::OpenEXR Imath::Imath
-                glm::glm)
-  set_target_properties(${package} PROPERTIES IMPORTED_GLOBAL TRUE)
-endforeach()
