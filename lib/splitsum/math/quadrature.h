@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace splitsum {
@@ -21,7 +22,7 @@ double integrate(const QuadratureRule& rule, double from, double to, const Funct
     const double half = 0.5 * (to - from);
     const double middle = 0.5 * (to + from);
     double sum = 0;
-    for (size_t i = 0; i < rule.nodes.size(); ++i)
+    for (std::size_t i = 0; i < rule.nodes.size(); ++i)
         sum += rule.weights[i] * f(middle + half * rule.nodes[i]);
     return half * sum;
 }
