@@ -2,7 +2,7 @@
 
 #include "splitsum/base/progress.h"
 #include "splitsum/base/result.h"
-#include "splitsum/math/vec.h"
+#include "splitsum/image/table.h"
 #include "splitsum/plan/asset_plan.h"
 
 namespace splitsum {
@@ -13,5 +13,9 @@ struct SplitSum {
     double a;
     double b;
 };
+
+/// The whole table of `plan`: texel (x, y) is at n·v = (x + 1/2) / size and, in row 0, perceptual
+/// roughness 0 exactly ... (to be completed)
+Result<Table> split_sum_table(const TablePlan& plan, Progress& progress);
 
 }  // namespace splitsum

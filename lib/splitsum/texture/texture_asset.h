@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "splitsum/base/result.h"
+#include "splitsum/image/table.h"
 #include "splitsum/sphere/cubemap.h"
 #include "splitsum/texture/pixel_format.h"
 
@@ -24,13 +25,6 @@ struct TextureAsset {
     std::vector<std::vector<std::byte>> levels;
     /// Conventions and provenance under "splitsum.*" and the container's own keys, as text.
     std::map<std::string, std::string> metadata;
-};
-
-/// Two channels over a 2D grid, row by row: the split-sum table.
-struct Table {
-    int width = 0;
-    int height = 0;
-    std::vector<Vec2> texels;
 };
 
 /// The levels as a cubemap texture. Level l must have max(1, levels[0].face_size >> l) texels along
