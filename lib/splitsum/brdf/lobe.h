@@ -38,4 +38,9 @@ inline double lobe_width(const Lobe& lobe) {
     return lobe.kind == LobeKind::ggx ? 2 * lobe.alpha : 1.0;
 }
 
+/// ∫ K dl over the sphere, what a lobe's values are divided by. Closed form for the cosine (pi);
+/// for GGX Gauss-Legendre on panels that grow from the peak, to 1e-14 relatively (tested against
+/// the closed form). alpha > 0. Cost: about a thousand evaluations.
+double lobe_integral(const Lobe& lobe);
+
 }  // namespace splitsum

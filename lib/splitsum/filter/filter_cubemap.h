@@ -1,0 +1,18 @@
+#pragma once
+
+#include "splitsum/base/progress.h"
+#include "splitsum/base/result.h"
+#include "splitsum/filter/methods.h"
+#include "splitsum/sphere/cubemap.h"
+
+namespace splitsum {
+
+/// One lobe of a prepared filter at every texel centre of a cube, in parallel over texel rows.
+/// `panorama_from_cube` takes cube directions to those of the environment; the keys of the texels
+/// count from `first_key`. The bits do not depend on the number of threads. Reports one step of
+/// progress a row (the caller begins the stage); fails only when cancelled.
+Result<Cubemap> filter_cubemap(const PreparedFilter& filter, size_t lobe_index, int face_size,
+                               const Mat3d& panorama_from_cube, uint32_t first_key,
+                               Progress& progress);
+
+}  // namespace splitsum

@@ -1,0 +1,45 @@
+#include "splitsum/filter/methods.h"
+
+#include <vector>
+
+#include "splitsum/base/text.h"
+#include "splitsum/filter/reference.h"
+#include "splitsum/filter/sampled.h"
+
+namespace splitsum {
+namespace {
+
+bool filters(const FilterMethod& method, LobeKind kind) {
+    return kind == LobeKind::ggx ? method.filters_ggx : method.filters_cosine;
+}
+
+}  // namespace
+
+std::span<const FilterMethod> filter_methods() {
+    static constexpr FilterMethod methods[] = {
+        {"reference", "fp64 sum over every texel, exact and slow: the judge of the others", true,
+         true, prepare_reference},
+        {"riemann", "uniform grid over the hemisphere, the textbook diffuse loop", false, true,
+         prepare_riemann},
+        {"importance", "Hammersley points through the lobe's distribution; ghosts of small suns",
+         true, true, prepare_importance},
+        {"filtered", "the same points, each read from a prefiltered pyramid; lobes grow a little",
+         true, true, prepare_filtered},
+    };
+    return methods;
+}
+
+Result<FilterMethod> find_filter_method(std::string_view name, LobeKind kind) {
+    std::vector<std::string_view> usable;
+    for (const FilterMethod& method : filter_methods()) {
+        if (!filters(method, kind)) continue;
+        if (method.name == name) return method;
+        usable.push_back(method.name);
+    }
+    return Error{ErrorKind::bad_argument,
+                 cat("no method '", name, "' for ",
+                     kind == LobeKind::ggx ? "reflections" : "diffuse light", "; there are: ",
+                     join(usable, ", "))};
+}
+
+}  // namespace splitsum
