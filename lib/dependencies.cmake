@@ -3,7 +3,11 @@ set(THREADS_PREFER_PTHREAD_FLAG ON)
 find_package(Threads REQUIRED)
 find_package(TBB REQUIRED)
 find_package(glm REQUIRED)
+# Debian 12's Imath also describes its Python binding, which it packages apart, and says at length
+# that it is not there; nothing here needs it.
+set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)
 find_package(Imath REQUIRED)
+unset(CMAKE_MESSAGE_LOG_LEVEL)
 find_package(OpenEXR REQUIRED)
 find_package(OpenImageIO REQUIRED)
 # Debian 12 files this package under share/cmake itself, where CMake looks only when told.
@@ -24,3 +28,7 @@ get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIR
 list(FILTER oiio_includes EXCLUDE REGEX opencv)
 set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
                       INTERFACE_INCLUDE_DIRECTORIES "${oiio_includes}")
+
+# Debian 12's OpenColorIO computes its prefix as if it were under lib/cmake/OpenColorIO, and so
+# names /include; its headers are in the compiler's own search path.
+set_target_properties(OpenColorIO::OpenColorIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "")

@@ -15,8 +15,10 @@ ExitCode exit_code_of(ErrorKind kind) {
 }
 
 const char* exit_code_help() {
-    return "Exit codes: 0 done; 1 a comparison over its limit; 2 bad arguments; 3 an unreadable or\n"
-           "corrupt input; 4 an output that cannot be written; 5 an input that is readable but not\n"
+    return "Exit codes: 0 done; 1 a comparison over its limit; 2 bad arguments; 3 an unreadable "
+           "or\n"
+           "corrupt input; 4 an output that cannot be written; 5 an input that is readable but "
+           "not\n"
            "usable (not 2:1, NaN texels, ...); 70 a fault of the program; 130 interrupted.";
 }
 

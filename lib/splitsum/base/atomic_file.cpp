@@ -54,18 +54,24 @@ Status write_all(const fs::path& file, const std::byte* data, size_t size) {
 
 }  // namespace
 
-Status write_file_whole(const fs::path& path,
-                        const std::function<Status(const fs::path& temporary)>& write) {
+Status check_writable(const fs::path& path) {
     std::error_code failure;
-    // Renaming over a link would replace the link, over a device the device: follow the first,
-    // refuse the second.
-    const fs::path target = fs::is_symlink(path, failure) ? fs::weakly_canonical(path, failure) : path;
-    if (fs::exists(target, failure) && !fs::is_regular_file(target, failure))
+    if (fs::exists(path, failure) && !fs::is_regular_file(path, failure))
         return unwritable(path, "it exists and is not a regular file");
-    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     if (!fs::is_directory(folder, failure))
         return unwritable(path, cat("the folder ", folder.string(), " does not exist"));
+    if (access(folder.c_str(), W_OK) != 0)
+        return unwritable(path, cat("the folder ", folder.string(), ": ", std::strerror(errno)));
+    return ok;
+}
 
+Status write_file_whole(const fs::path& path,
+                        const std::function<Status(const fs::path& temporary)>& write) {
+    if (const Status possible = check_writable(path); !possible) return possible;
+    std::error_code failure;
+    // Renaming over a link would replace the link, not what it points to.
+    const fs::path target = fs::is_symlink(path, failure) ? fs::weakly_canonical(path, failure) : path;
     const fs::path temporary = temporary_beside(target);
     Status status = write(temporary);
     if (status) status = flush_to_disk(temporary);

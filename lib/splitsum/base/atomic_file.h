@@ -8,6 +8,11 @@
 
 namespace splitsum {
 
+/// Whether a file could be written to `path` as far as can be told without doing it: the folder is
+/// there and may be written to, and what has that name now is a regular file or nothing. Asked
+/// before long work. Fails with unwritable_output.
+Status check_writable(const std::filesystem::path& path);
+
 /// Calls write(temporary) with a name in the folder of `path`, makes what was written durable, and
 /// renames it to `path`: the file appears complete or not at all, and an older file of that name
 /// survives every failure. The temporary is removed when anything fails.

@@ -12,7 +12,7 @@ namespace splitsum {
 struct Census {
     struct Kind {
         int64_t count = 0;
-        int first_x = -1;
+        int first_x = -1;  ///< the topmost, then leftmost
         int first_y = -1;
     };
     Kind nan;
@@ -22,15 +22,21 @@ struct Census {
     bool clean() const { return nan.count + infinite.count + negative.count == 0; }
 };
 
+/// The census of two parts of an image, of which `above` lies above `below`.
+Census operator+(const Census& above, const Census& below);
+
 /// Counts what is not a finite radiance >= 0. Minus zero is zero.
 Census take_census(const Image& image);
 
 /// "3 NaN (first at x 17, y 4), 12 negative (first at x 0, y 0)", or "clean".
 std::string describe(const Census& census);
 
-/// Makes every pixel a finite radiance >= 0: negative channels become 0; pixels with NaN or Inf
-/// become the mean of the good pixels around them (columns wrap; rings of neighbours grow until one
-/// holds a good pixel). An image without a single good pixel becomes black.
+/// Makes every pixel of a lat-long image a finite radiance >= 0: negative channels become 0; pixels
+/// with NaN or Inf become the mean of the good ones among their eight neighbours, and where there
+/// are none, holes close ring by ring from their rims inwards. Columns wrap, and the neighbour above
+/// the top row is half a turn away in the same row, beyond the pole. Every ring is computed from
+/// earlier rings alone, so the order of the pixels has no say. An image without a single good pixel
+/// becomes black. Cost: one pass, and linear in the number of bad pixels.
 void repair(Image& image);
 
 }  // namespace splitsum

@@ -14,29 +14,40 @@ namespace splitsum {
 
 /// How to turn a file into scene-linear radiance.
 struct PanoramaOptions {
-    std::string color_space;   ///< of the file; "" for what the file says, else scene-linear Rec.709
+    std::string color_space;  ///< of the file; "" for what the file says, else scene-linear
     std::filesystem::path ocio_config;  ///< an OpenColorIO config; "" for the built-in one
-    double exposure_stops = 0; ///< radiance is multiplied by 2^exposure_stops
-    bool repair = false;       ///< replace NaN and Inf from neighbours, set negatives to zero; counted
+    std::string layer;                  ///< of an EXR file; "" for the default or the only one
+    double exposure_stops = 0;          ///< radiance is multiplied by 2^exposure_stops
+    bool repair = false;  ///< replace NaN and Inf from neighbours, set negatives to zero; counted
 };
 
 /// A lat-long panorama in scene-linear Rec.709, and where it came from.
 struct Panorama {
-    Image pixels;                    ///< width = 2 * height; finite and >= 0
-    std::string source;              ///< the file's name without folders
-    std::string source_hash;         ///< "xxh3-128:" and 32 hexadecimal digits
-    std::string color_space;         ///< what the file was taken to be in
+    Image pixels;             ///< width = 2 * height; finite and >= 0
+    std::string source;       ///< the file's name without folders
+    std::string source_hash;  ///< "xxh3-128:" and 32 hexadecimal digits
+    std::string color_space;  ///< what the file was taken to be in
     double exposure_stops = 0;
-    Census found;                    ///< NaN, Inf and negative values in the file
-    bool repaired = false;           ///< `found` was repaired
+    Census found;              ///< NaN, Inf and negative values in the file
+    int64_t out_of_gamut = 0;  ///< clean pixels that Rec.709 can express with negative values only
+    bool repaired = false;     ///< `found` was repaired and `out_of_gamut` set to zero
     std::vector<std::string> notes;  ///< what was ignored or filled in, a sentence each
 };
 
-/// Reads any 2:1 lat-long image that OpenImageIO knows.
+/// Reads any 2:1 lat-long image that OpenImageIO knows: rows, census, repair, colour conversion,
+/// exposure, in this order.
 ///
-/// Fails with unreadable_input (absent, truncated, corrupt, absurd header), unusable_input (not
-/// 2:1, no colour channels, NaN, Inf or negative values without `repair`: count and first position
-/// are named) and bad_argument (unknown colour space or config).
+/// The colour space is `color_space`, else that of the file's chromaticities, else the one that the
+/// file names, else the config's scene_linear. Clean colours outside the gamut of Rec.709 become
+/// negative in the conversion. A filter would spread negative light, so they are treated like
+/// negative values of the file: refused, or with `repair` set to zero and counted; never clamped
+/// silently.
+///
+/// Progress: the stage "read", one step a row.
+/// Fails with unreadable_input (absent, truncated, corrupt, absurd header; config unreadable),
+/// unusable_input (not 2:1, no colour channels, NaN, Inf or negative values without `repair`: count
+/// and first position are named; infinite after the exposure), bad_argument (unknown colour space
+/// or layer, exposure not finite) and interrupted.
 Result<Panorama> read_panorama(const std::filesystem::path& path, const PanoramaOptions& options,
                                Progress& progress);
 

@@ -30,8 +30,8 @@ struct SpecularPlan {
 /// Diffuse light: reading towards a normal n gives E(n) / pi.
 struct IrradiancePlan {
     int face_size = 32;
-    int harmonics_order = 2;    ///< highest band; order 2 has 9 coefficients
-    bool windowed = false;      ///< scale the bands so that a sun rings less (Sloan 2008)
+    int harmonics_order = 2;        ///< highest band; order 2 has 9 coefficients
+    bool windowed = false;          ///< scale the bands so that a sun rings less (Sloan 2008)
     bool store_irradiance = false;  ///< store E itself instead of E / pi
 };
 

@@ -16,20 +16,25 @@ namespace splitsum {
 struct RoughnessCurve {
     enum class Kind { linear, filament, list };
     Kind kind = Kind::linear;
-    std::vector<double> list;  ///< perceptual roughness of every level, ascending, in [0, 1]
+    std::vector<double> list;  ///< perceptual roughness of every level, never falling, in [0, 1]
 };
+
+/// Fails with bad_argument for a list that is empty, falls, or leaves [0, 1].
+Status validate(const RoughnessCurve& curve);
 
 /// Reads "linear", "filament" or a list such as "0,0.25,0.5,1". Fails with bad_argument.
 Result<RoughnessCurve> parse_roughness_curve(const std::string& text);
 
-/// The text that parse_roughness_curve reads.
+/// The text that parse_roughness_curve reads back as the same curve, to the last bit.
 std::string to_string(const RoughnessCurve& curve);
 
-/// The perceptual roughness of each of `levels` levels; a single level holds r = 0.
+/// The perceptual roughness of each of `levels` levels; a single level holds r = 0, unless a list
+/// says otherwise. A list must have `levels` values.
 std::vector<double> roughness_of_levels(const RoughnessCurve& curve, int levels);
 
 /// The level, between 0 and levels - 1 and in general not whole, at which a renderer finds
-/// `perceptual_roughness` (clamped to [0, 1]).
+/// `perceptual_roughness` (clamped to [0, 1]). Between the values of a list the level is linear in
+/// the roughness; outside of them it is the first or the last.
 double level_of_roughness(const RoughnessCurve& curve, int levels, double perceptual_roughness);
 
 }  // namespace splitsum

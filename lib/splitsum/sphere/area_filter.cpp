@@ -83,6 +83,9 @@ Edge edge_between(const Vec3d& a, const Vec3d& b) {
     return {from, to, -std::hypot(n.x, n.z) / n.y, std::atan2(n.x, n.z)};
 }
 
+// Radians of azimuth over which two Gauss points follow an edge to 1e-9.
+constexpr double longest_piece = 0.02;
+
 // The contour integral of F along an edge.
 Sum integral_along(const Edge& edge, const ColumnSums& sums, bool lower_half) {
     constexpr double gauss = 0.28867513459481288;  // 1 / (2 sqrt 3)
@@ -91,10 +94,11 @@ Sum integral_along(const Edge& edge, const ColumnSums& sums, bool lower_half) {
     const double low = std::min(edge.from, edge.to) * columns_per_radian + 0.5 * sums.width();
     const double high = std::max(edge.from, edge.to) * columns_per_radian + 0.5 * sums.width();
 
+    const double longest = longest_piece * columns_per_radian;
     Sum total(0);
     for (double start = low; start < high;) {
         const double column = std::floor(start);
-        const double end = std::min(high, column + 1);
+        const double end = std::min({high, column + 1, start + longest});
         const int wrapped = int(std::fmod(std::fmod(column, sums.width()) + sums.width(), sums.width()));
         for (const double node : {0.5 - gauss, 0.5 + gauss}) {
             const double azimuth =
@@ -138,7 +142,6 @@ Result<Cubemap> area_filtered_cubemap(const Environment& environment, int face_s
                                       const Mat3d& panorama_from_cube, Progress& progress) {
     const ColumnSums sums(environment);
     Cubemap cubemap(face_size);
-    progress.begin("mirror level", face_count * face_size);
     parallel_rows(face_count * face_size, [&](int i) {
         if (progress.cancelled()) return;
         const int face = i / face_size, y = i % face_size;

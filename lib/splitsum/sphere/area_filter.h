@@ -20,7 +20,8 @@ namespace splitsum {
 ///
 /// `panorama_from_cube` must turn about y only (sphere/orientation.h makes such matrices). Cost:
 /// one pass over the environment, three doubles of memory a texel of it, and about four lookups for
-/// each edge and column. Fails only when cancelled.
+/// each edge and column. Reports one step of progress a row of texels (the caller begins the stage);
+/// fails only when cancelled.
 Result<Cubemap> area_filtered_cubemap(const Environment& environment, int face_size,
                                       const Mat3d& panorama_from_cube, Progress& progress);
 

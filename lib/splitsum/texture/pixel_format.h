@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -13,13 +14,13 @@ enum class PixelFormat { rgba16f, rgba32f, rgb9e5, b10g11r11, rg16f, rg32f };
 /// What there is to know about a format without decoding it.
 struct PixelFormatInfo {
     PixelFormat format;
-    std::string_view name;   ///< as typed after --format
-    std::string_view summary;
-    uint32_t vk_format;      ///< VkFormat of the Vulkan specification
+    std::string_view name;     ///< as typed after --format
+    std::string_view summary;  ///< one line for --help
+    uint32_t vk_format;        ///< VkFormat of the Vulkan specification
     int bytes_per_texel;
-    int channels;            ///< 2 or 3; rgba formats hold RGB and alpha 1
-    double largest;          ///< the largest finite value, where saturation begins
-    bool holds_negative;
+    int channels;                  ///< 2 or 3; rgba formats hold RGB and alpha 1
+    std::array<float, 3> largest;  ///< the largest finite value of each channel
+    bool holds_negative;           ///< down to -largest
 };
 
 /// Every format; one line each.
@@ -32,7 +33,7 @@ const PixelFormatInfo* find_pixel_format(std::string_view name);
 
 /// How many channel values had to be changed to fit a format, beyond its rounding.
 struct EncodeCounts {
-    int64_t saturated = 0;  ///< above `largest`, stored as `largest`
+    int64_t saturated = 0;  ///< further from 0 than `largest`, stored as `largest` with that sign
     int64_t negative = 0;   ///< below 0 in a format without sign, stored as 0
 
     EncodeCounts& operator+=(const EncodeCounts& other) {
@@ -40,11 +41,18 @@ struct EncodeCounts {
         negative += other.negative;
         return *this;
     }
+    friend EncodeCounts operator+(EncodeCounts a, const EncodeCounts& b) { return a += b; }
 };
 
 /// Encodes `values` (info_of(format).channels floats a texel, all finite) to `bytes`
-/// (bytes_per_texel each), rounded to nearest. Values that do not fit are changed and counted:
-/// never Inf, never NaN, never silent.
+/// (bytes_per_texel each). Floats of all widths round to nearest, ties to even; rgb9e5 rounds as its
+/// own formula does, ties up. Values that do not fit are changed and counted: never Inf, never
+/// silent. The result does not depend on the number of threads.
+///
+/// rgb9e5: EXT_texture_shared_exponent (Brown, Licea-Kane 2007), "Encoding"; the exponent belongs to
+/// the largest channel, so a channel's rounding error is at most 1/1024 of the power of two above
+/// the largest one.
+/// b10g11r11: floats without sign of 6, 6 and 5 mantissa bits, exponent bias 15, with denormals.
 EncodeCounts encode_texels(PixelFormat format, std::span<const float> values,
                            std::span<std::byte> bytes);
 

@@ -17,7 +17,7 @@ namespace splitsum {
 /// conventions that tell what a lookup means.
 struct TextureAsset {
     PixelFormat format = PixelFormat::rgba16f;
-    int width = 0;       ///< of level 0, in texels
+    int width = 0;  ///< of level 0, in texels
     int height = 0;
     int face_count = 1;  ///< 1, or 6 for a cubemap (width = height)
     /// levels[l]: the texels of mip level l, face by face, row by row, without padding; level l is
@@ -26,6 +26,17 @@ struct TextureAsset {
     /// Conventions and provenance under "splitsum.*" and the container's own keys, as text.
     std::map<std::string, std::string> metadata;
 };
+
+/// How many bytes `levels[level]` of a texture with that format, size and number of faces holds.
+size_t bytes_of_level(const TextureAsset& texture, int level);
+
+/// How many levels a texture of that size can have: the last one is 1 texel wide and high.
+int full_level_count(int width, int height);
+
+/// Whether the texture keeps what its fields promise: a positive size, 1 or 6 faces, square faces of
+/// a cube, at least one level and no more than full_level_count, each of bytes_of_level bytes. Fails
+/// with bad_argument.
+Status validate(const TextureAsset& texture);
 
 /// The levels as a cubemap texture. Level l must have max(1, levels[0].face_size >> l) texels along
 /// its edge; `format` must have three channels. Adds what did not fit to `counts`, one entry a level.

@@ -1,0 +1,149 @@
+#include "splitsum/bake/bake.h"
+
+#include <numbers>
+
+#include "splitsum/assets/cubemap_asset.h"
+#include "splitsum/bake/facts.h"
+#include "splitsum/base/atomic_file.h"
+#include "splitsum/base/text.h"
+#include "splitsum/filter/irradiance_harmonics.h"
+#include "splitsum/picture/contact_sheet.h"
+#include "splitsum/report/harmonics_file.h"
+
+namespace splitsum {
+namespace {
+
+struct BakedAssets {
+    CubemapAsset specular;
+    CubemapAsset irradiance;
+    IrradianceHarmonics harmonics;
+};
+
+Result<BakedAssets> make_assets(const Environment& environment, const BakePlan& plan,
+                                const BakeReport& report, Progress& progress) {
+    const LevelsPlan levels_plan{plan.specular, plan.irradiance, plan.filter, plan.orientation};
+    const auto levels = filter_levels(environment, levels_plan, progress);
+    if (!levels) return levels.error();
+    auto specular = cubemap_asset(levels->specular, plan.format, report.specular_facts);
+    if (!specular) return specular.error();
+    auto irradiance = cubemap_asset({&*levels->irradiance, 1}, plan.format, report.irradiance_facts);
+    if (!irradiance) return irradiance.error();
+    return BakedAssets{std::move(*specular), std::move(*irradiance),
+                       irradiance_harmonics(environment, plan.irradiance.harmonics_order,
+                                            plan.irradiance.windowed,
+                                            panorama_from_cube(plan.orientation))};
+}
+
+// Fills in the figures of the report.
+Status measure(const BakedAssets& assets, const Environment& environment, const BakePlan& plan,
+               BakeReport& report, Progress& progress) {
+    const CheckedAgainst truth{environment, panorama_from_cube(plan.orientation), plan.probes};
+    progress.begin("measuring", plan.probes * (plan.specular.levels + 2));
+    auto specular = check_specular(assets.specular.levels,
+                                   report.specular_facts.perceptual_roughness, truth, progress);
+    if (!specular) return specular.error();
+    const double factor = plan.irradiance.store_irradiance ? std::numbers::pi : 1;
+    const auto irradiance =
+        check_irradiance(assets.irradiance.levels[0], factor, truth, progress);
+    if (!irradiance) return irradiance.error();
+    const auto harmonics = check_harmonics(assets.harmonics, truth, progress);
+    if (!harmonics) return harmonics.error();
+
+    report.probes = plan.probes;
+    report.specular = std::move(*specular);
+    report.specular_counts = assets.specular.counts;
+    report.irradiance = *irradiance;
+    report.irradiance_counts = assets.irradiance.counts[0];
+    report.harmonics = *harmonics;
+    report.harmonics_lowest = assets.harmonics.lowest;
+    return ok;
+}
+
+// Writes files into a folder and keeps the list of them; does nothing more after a failure.
+class FolderWriter {
+public:
+    FolderWriter(const std::filesystem::path& folder, std::vector<WrittenFile>& files)
+        : folder_(folder), files_(files), status_(make_folder(folder)) {}
+
+    template <class Write>
+    void write(const std::string& name, const std::string& what, const Write& write_to) {
+        if (!status_) return;
+        status_ = write_to(folder_ / name);
+        if (status_) files_.push_back({name, int64_t(file_size(folder_ / name)), what});
+    }
+
+    const Status& status() const { return status_; }
+
+private:
+    std::filesystem::path folder_;
+    std::vector<WrittenFile>& files_;
+    Status status_;
+};
+
+Status write_files(const BakedAssets& assets, const BakePlan& plan,
+                   const std::filesystem::path& folder, BakeReport& report) {
+    FolderWriter writer(folder, report.files);
+    writer.write("specular.ktx2", "prefiltered radiance for a direction and a roughness",
+                 [&](const auto& path) {
+                     return write_texture(assets.specular.texture, path, plan.container);
+                 });
+    writer.write("irradiance.ktx2",
+                 plan.irradiance.store_irradiance ? "E for a normal" : "E / pi for a normal",
+                 [&](const auto& path) {
+                     return write_texture(assets.irradiance.texture, path, plan.container);
+                 });
+    writer.write("harmonics.json", "E / pi as spherical harmonics", [&](const auto& path) {
+        return write_harmonics(assets.harmonics, report.irradiance_facts, path);
+    });
+    if (plan.picture)
+        writer.write("contact.png", "a picture of the levels, for people", [&](const auto& path) {
+            return write_contact_sheet({assets.specular.levels, assets.irradiance.levels[0]}, path);
+        });
+    // Last: they say that everything else is there.
+    const std::string text = report_text(report), json = report_json(report);
+    if (writer.status())
+        if (const Status done = write_text_whole(folder / "report.txt", text); !done) return done;
+    if (writer.status())
+        if (const Status done = write_text_whole(folder / "report.json", json); !done) return done;
+    return writer.status();
+}
+
+}  // namespace
+
+Status validate(const BakePlan& plan) {
+    if (plan.probes < 1)
+        return Error{ErrorKind::bad_argument,
+                     cat("at least 1 probe a level is needed, got ", plan.probes)};
+    if (const Status valid = validate(plan.specular); !valid) return valid;
+    if (const Status valid = validate(plan.irradiance); !valid) return valid;
+    if (const Status valid = validate(plan.filter); !valid) return valid;
+    return validate(plan.orientation);
+}
+
+Result<BakeReport> bake(const Panorama& panorama, const BakePlan& plan,
+                        const std::filesystem::path& folder, Progress& progress) {
+    if (const Status valid = validate(plan); !valid) return valid.error();
+    const Environment environment(panorama.pixels);
+
+    BakeReport report;
+    report.source = source_facts(panorama);
+    report.source_width = panorama.pixels.width;
+    report.source_height = panorama.pixels.height;
+    report.source_mean_radiance = mean_radiance(environment);
+    report.notes = panorama.notes;
+    report.format = plan.format;
+    report.specular_facts =
+        specular_facts(report.source, plan.specular, plan.filter, plan.orientation);
+    report.irradiance_facts =
+        irradiance_facts(report.source, plan.irradiance, plan.filter, plan.orientation);
+
+    const auto assets = make_assets(environment, plan, report, progress);
+    if (!assets) return assets.error();
+    const Status measured = measure(*assets, environment, plan, report, progress);
+    if (!measured) return measured.error();
+    const Status written = write_files(*assets, plan, folder, report);
+    if (!written) return written.error();
+    return report;
+}
+
+}  // namespace splitsum

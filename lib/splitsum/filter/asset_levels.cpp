@@ -1,0 +1,114 @@
+#include "splitsum/filter/asset_levels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "splitsum/filter/filter_cubemap.h"
+#include "splitsum/filter/methods.h"
+#include "splitsum/sphere/area_filter.h"
+
+namespace splitsum {
+namespace {
+
+// One cubemap to make, in the order in which they are made.
+struct Job {
+    Lobe lobe;
+    int face_size;
+};
+
+std::vector<Job> specular_jobs(const SpecularPlan& plan) {
+    std::vector<Job> jobs;
+    for (const double r : roughness_of_levels(plan.roughness, plan.levels))
+        jobs.push_back({{LobeKind::ggx, r * r}, std::max(1, plan.face_size >> jobs.size())});
+    return jobs;
+}
+
+std::vector<Job> jobs_of(const LevelsPlan& plan) {
+    std::vector<Job> jobs;
+    if (plan.specular) jobs = specular_jobs(*plan.specular);
+    if (plan.irradiance) jobs.push_back({{LobeKind::cosine}, plan.irradiance->face_size});
+    return jobs;
+}
+
+bool is_mirror(const Job& job) { return job.lobe.kind == LobeKind::ggx && job.lobe.alpha == 0; }
+
+Status validate(const LevelsPlan& plan) {
+    if (const Status valid = validate(plan.filter); !valid) return valid;
+    if (const Status valid = validate(plan.orientation); !valid) return valid;
+    if (plan.specular)
+        if (const Status valid = validate(*plan.specular); !valid) return valid;
+    if (plan.irradiance)
+        if (const Status valid = validate(*plan.irradiance); !valid) return valid;
+    return ok;
+}
+
+// The method, able to filter everything the plan asks for.
+Result<FilterMethod> method_of(const LevelsPlan& plan) {
+    if (plan.irradiance)
+        if (const auto found = find_filter_method(plan.filter.method, LobeKind::cosine); !found)
+            return found;
+    return find_filter_method(plan.filter.method,
+                              plan.specular ? LobeKind::ggx : LobeKind::cosine);
+}
+
+// The mirror image wants no more texels than a few for each of its own.
+Result<Cubemap> mirror_level(const Environment& environment, int face_size,
+                             const Mat3d& panorama_from_cube, Progress& progress) {
+    const int enough = 8 * face_size;  // rows; the cube has 2 face_size from pole to pole
+    if (environment.height() < 2 * enough)
+        return area_filtered_cubemap(environment, face_size, panorama_from_cube, progress);
+    const int shrink = environment.height() / enough;
+    return area_filtered_cubemap(averaged_down(environment, environment.height() / shrink),
+                                 face_size, panorama_from_cube, progress);
+}
+
+Result<std::vector<Cubemap>> run(const std::vector<Job>& jobs, const FilterMethod& method,
+                                 const Environment& environment, const LevelsPlan& plan,
+                                 Progress& progress) {
+    std::vector<Lobe> lobes;
+    int rows = 0;
+    for (const Job& job : jobs) {
+        if (!is_mirror(job)) lobes.push_back(job.lobe);
+        rows += face_count * job.face_size;
+    }
+    progress.begin("filtering", rows);
+    const auto filter = method.prepare(environment, lobes, plan.filter);
+    const Mat3d panorama_from_cube = splitsum::panorama_from_cube(plan.orientation);
+    std::vector<Cubemap> cubemaps;
+    size_t lobe = 0;
+    uint32_t first_key = 0;
+    for (const Job& job : jobs) {
+        auto cubemap = is_mirror(job)
+                           ? mirror_level(environment, job.face_size, panorama_from_cube, progress)
+                           : filter_cubemap(*filter, lobe++, job.face_size, panorama_from_cube,
+                                            first_key, progress);
+        if (!cubemap) return cubemap.error();
+        first_key += uint32_t(cubemap->texels.size());
+        cubemaps.push_back(std::move(*cubemap));
+    }
+    return cubemaps;
+}
+
+}  // namespace
+
+Result<AssetLevels> filter_levels(const Environment& environment, const LevelsPlan& plan,
+                                  Progress& progress) {
+    if (const Status valid = validate(plan); !valid) return valid.error();
+    const auto method = method_of(plan);
+    if (!method) return method.error();
+    auto cubemaps = run(jobs_of(plan), *method, environment, plan, progress);
+    if (!cubemaps) return cubemaps.error();
+
+    AssetLevels levels;
+    if (plan.irradiance) {
+        levels.irradiance = std::move(cubemaps->back());
+        cubemaps->pop_back();
+        if (plan.irradiance->store_irradiance)
+            for (Vec3& texel : levels.irradiance->texels) texel *= std::numbers::pi_v<float>;
+    }
+    levels.specular = std::move(*cubemaps);
+    return levels;
+}
+
+}  // namespace splitsum

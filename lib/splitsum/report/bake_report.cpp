@@ -1,0 +1,111 @@
+#include "splitsum/report/bake_report.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "splitsum/base/text.h"
+#include "splitsum/base/version.h"
+#include "splitsum/report/figures_json.h"
+#include "splitsum/report/figures_text.h"
+
+namespace splitsum {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json rgb_json(const Vec3d& rgb) { return {rgb.x, rgb.y, rgb.z}; }
+
+Json source_json(const BakeReport& report) {
+    return {{"name", report.source.name},
+            {"hash", report.source.hash},
+            {"width", report.source_width},
+            {"height", report.source_height},
+            {"color_space", report.source.color_space},
+            {"exposure_stops", report.source.exposure_stops},
+            {"repaired_texels", report.source.repaired_texels},
+            {"mean_radiance", rgb_json(report.source_mean_radiance)},
+            {"notes", report.notes}};
+}
+
+Json asked_json(const BakeReport& report) {
+    return {{"format", info_of(report.format).name},
+            {"specular", metadata_of(report.specular_facts)},
+            {"irradiance", metadata_of(report.irradiance_facts)}};
+}
+
+Json files_json(const BakeReport& report) {
+    Json files = Json::array();
+    for (const WrittenFile& file : report.files)
+        files.push_back({{"name", file.name}, {"bytes", file.bytes}, {"what", file.what}});
+    return files;
+}
+
+Json stored_json(const LevelCheck& check, const EncodeCounts& counts) {
+    Json json = check_json(check);
+    json["saturated"] = counts.saturated;
+    return json;
+}
+
+Json measured_json(const BakeReport& report) {
+    Json specular = Json::array();
+    for (size_t level = 0; level < report.specular.size(); ++level)
+        specular.push_back(stored_json(report.specular[level], report.specular_counts[level]));
+    Json harmonics = check_json(report.harmonics);
+    harmonics["lowest_share_of_mean"] = report.harmonics_lowest;
+    return {{"against", "method reference, fp64, on the stored texels"},
+            {"probes_per_level", report.probes},
+            {"specular", specular},
+            {"irradiance", stored_json(report.irradiance, report.irradiance_counts)},
+            {"harmonics", harmonics}};
+}
+
+std::string rgb_text(const Vec3d& rgb) {
+    std::ostringstream text;
+    text << std::setprecision(6) << rgb.x << ' ' << rgb.y << ' ' << rgb.z;
+    return text.str();
+}
+
+std::string saturation_text(const BakeReport& report) {
+    EncodeCounts total = report.irradiance_counts;
+    for (const EncodeCounts& counts : report.specular_counts) total += counts;
+    const PixelFormatInfo& format = info_of(report.format);
+    return cat(total.saturated, " values were above the largest that ", format.name, " holds (",
+               *std::ranges::min_element(format.largest), "), and are stored as that");
+}
+
+}  // namespace
+
+std::string report_json(const BakeReport& report) {
+    const Json json = {{"splitsum", version},
+                       {"source", source_json(report)},
+                       {"asked", asked_json(report)},
+                       {"files", files_json(report)},
+                       {"measured", measured_json(report)}};
+    return json.dump(2) + "\n";
+}
+
+std::string report_text(const BakeReport& report) {
+    std::ostringstream text;
+    text << report.source.name << "  " << report.source_width << " x " << report.source_height
+         << ", " << report.source.color_space << ", " << report.source.hash << "\n";
+    for (const std::string& note : report.notes) text << "note: " << note << "\n";
+    text << "mean radiance " << rgb_text(report.source_mean_radiance) << ", exposure "
+         << report.source.exposure_stops << " stops\n\n"
+         << "method " << report.specular_facts.filter.method << ", "
+         << report.specular_facts.filter.samples << " samples, convention "
+         << report.specular_facts.orientation.convention << ", " << info_of(report.format).name
+         << "\n\nError of the stored texels against exact integration:\n"
+         << figures_heading();
+    for (const LevelCheck& check : report.specular)
+        text << figures_line(cat("specular ", check.level), check);
+    text << figures_line("irradiance", report.irradiance)
+         << figures_line("harmonics", report.harmonics) << "\n"
+         << saturation_text(report) << "\n\nFiles:\n";
+    for (const WrittenFile& file : report.files)
+        text << "  " << file.name << "  " << file.bytes << " bytes: " << file.what << "\n";
+    return text.str();
+}
+
+}  // namespace splitsum

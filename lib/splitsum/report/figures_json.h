@@ -1,0 +1,17 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "splitsum/measure/error_figures.h"
+#include "splitsum/verify/check_levels.h"
+
+namespace splitsum {
+
+/// {"rel_rms": ..., "max_rel": ..., "max_abs": ..., "bias": ..., "texels": ...}; a figure that is
+/// not finite is null, because JSON has no other word for it.
+nlohmann::ordered_json figures_json(const ErrorFigures& figures);
+
+/// A level's place, figures and mean radiance as one object.
+nlohmann::ordered_json check_json(const LevelCheck& check);
+
+}  // namespace splitsum

@@ -1,0 +1,33 @@
+#include "splitsum/report/figures_text.h"
+
+#include <iomanip>
+#include <sstream>
+
+namespace splitsum {
+namespace {
+
+constexpr int name_width = 12;
+constexpr int column_width = 11;
+
+}  // namespace
+
+std::string figures_heading() {
+    std::ostringstream line;
+    line << std::left << std::setw(name_width) << "" << std::right;
+    for (const char* name : {"size", "roughness", "rel_rms", "max_rel", "bias", "probes"})
+        line << std::setw(column_width) << name;
+    return line.str() + "\n";
+}
+
+std::string figures_line(const std::string& what, const LevelCheck& check) {
+    std::ostringstream line;
+    line << std::left << std::setw(name_width) << what << std::right << std::setw(column_width)
+         << check.face_size << std::setw(column_width) << std::fixed << std::setprecision(4)
+         << check.perceptual_roughness << std::scientific << std::setprecision(2)
+         << std::setw(column_width) << check.figures.rel_rms << std::setw(column_width)
+         << check.figures.max_rel << std::setw(column_width) << check.figures.bias
+         << std::setw(column_width) << check.figures.texels << "\n";
+    return line.str();
+}
+
+}  // namespace splitsum

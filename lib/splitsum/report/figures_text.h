@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "splitsum/verify/check_levels.h"
+
+namespace splitsum {
+
+/// The heading of the lines that figures_line writes.
+std::string figures_heading();
+
+/// One line of a table of figures for people; `what` stands in the first column.
+std::string figures_line(const std::string& what, const LevelCheck& check);
+
+}  // namespace splitsum

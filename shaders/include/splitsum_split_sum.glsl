@@ -1,0 +1,29 @@
+// How the split-sum table is read and used. GLSL 4.50 and ES 3.00.
+//
+// The table's red is a and its green is b: under constant light a surface reflects F0 a + b. Texel
+// (x, y) holds n·v = (x + 1/2) / size and perceptual roughness (y + 1/2) / size, which is where a
+// sampler puts texel centres, so texture coordinates are the two values themselves. Sample with a
+// linear filter and clamp to the edge: outside of the first and last centre, half a texel, the table
+// is constant. The C++ twin is lib/splitsum/table/split_sum_lookup.h; tests/shaders compares the two.
+#ifndef SPLITSUM_SPLIT_SUM_GLSL
+#define SPLITSUM_SPLIT_SUM_GLSL
+
+// Where the table is sampled.
+vec2 splitsum_table_coordinates(float n_dot_v, float perceptual_roughness) {
+    return vec2(clamp(n_dot_v, 0.0, 1.0), clamp(perceptual_roughness, 0.0, 1.0));
+}
+
+// Share of uniform light that is reflected in one bounce, per channel of F0.
+vec3 splitsum_directional_albedo(vec3 f0, vec2 split_sum) {
+    return f0 * split_sum.x + split_sum.y;
+}
+
+// What single-bounce light is multiplied with so that no energy is lost between the microfacets: a
+// surface with F0 = 1 then returns all of a white furnace (Turquin 2019, "Practical multiple
+// scattering compensation for microfacet models").
+vec3 splitsum_energy_compensation(vec3 f0, vec2 split_sum) {
+    float lost_per_returned = 1.0 / (split_sum.x + split_sum.y) - 1.0;
+    return vec3(1.0) + f0 * lost_per_returned;
+}
+
+#endif

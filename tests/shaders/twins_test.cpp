@@ -1,0 +1,100 @@
+// The shader includes and their C++ twins give the same numbers: the includes are compiled as C++.
+#include <gtest/gtest.h>
+
+#include "shaders/glsl_as_cpp.h"
+#include "splitsum/base/random.h"
+#include "splitsum/plan/roughness_curve.h"
+#include "splitsum/table/split_sum_lookup.h"
+
+namespace splitsum::tests {
+namespace {
+
+constexpr uint32_t input_count = 5000;
+
+// In [-0.1, 1.1), so that clamping is part of the comparison.
+float input(uint32_t key) { return 1.2F * unit_float(key) - 0.1F; }
+
+struct CurveTwin {
+    RoughnessCurve::Kind kind;
+    float (*level)(float, float);
+    float (*roughness)(float, float);
+};
+
+const CurveTwin curve_twins[] = {
+    {RoughnessCurve::Kind::linear, glsl::splitsum_level_linear, glsl::splitsum_roughness_linear},
+    {RoughnessCurve::Kind::filament, glsl::splitsum_level_filament,
+     glsl::splitsum_roughness_filament},
+};
+
+TEST(LevelsGlsl, FindsTheLevelThatTheLibraryFinds) {
+    for (const CurveTwin& twin : curve_twins)
+        for (const int levels : {1, 2, 7, 14})
+            for (uint32_t i = 0; i < input_count; ++i) {
+                const float r = input(i);
+                const double expected =
+                    level_of_roughness({twin.kind, {}}, levels, static_cast<double>(r));
+                EXPECT_NEAR(static_cast<double>(twin.level(r, static_cast<float>(levels - 1))),
+                            expected, 2e-6)
+                    << r;
+            }
+}
+
+TEST(LevelsGlsl, KnowsTheRoughnessOfEveryLevel) {
+    for (const CurveTwin& twin : curve_twins)
+        for (const int levels : {1, 2, 7, 14}) {
+            const auto expected = roughness_of_levels({twin.kind, {}}, levels);
+            for (int level = 0; level < levels; ++level)
+                EXPECT_NEAR(static_cast<double>(twin.roughness(static_cast<float>(level),
+                                                               static_cast<float>(levels - 1))),
+                            expected[static_cast<size_t>(level)], 2e-7);
+        }
+}
+
+TEST(LevelsGlsl, LevelAndRoughnessAreInverse) {
+    for (const CurveTwin& twin : curve_twins)
+        for (uint32_t i = 0; i < input_count; ++i) {
+            const float r = unit_float(i);
+            EXPECT_NEAR(twin.roughness(twin.level(r, 6), 6), r, 1e-3F) << r;
+        }
+}
+
+TEST(SplitSumGlsl, UsesTheTableAsTheLibraryDoes) {
+    for (uint32_t i = 0; i < input_count; ++i) {
+        const glsl::vec2 split_sum(0.01F + 0.8F * unit_float(5 * i), 0.2F * unit_float(5 * i + 1));
+        const SplitSum sum{static_cast<double>(split_sum.x), static_cast<double>(split_sum.y)};
+        const glsl::vec3 f0(unit_float(5 * i + 2), unit_float(5 * i + 3), unit_float(5 * i + 4));
+        const glsl::vec3 albedo = glsl::splitsum_directional_albedo(f0, split_sum);
+        const glsl::vec3 compensation = glsl::splitsum_energy_compensation(f0, split_sum);
+        for (int channel = 0; channel < 3; ++channel) {
+            const double reflectance = static_cast<double>(f0[channel]);
+            EXPECT_NEAR(static_cast<double>(albedo[channel]), directional_albedo(sum, reflectance),
+                        2e-7);
+            const double expected = energy_compensation(sum, reflectance);
+            EXPECT_NEAR(static_cast<double>(compensation[channel]) / expected, 1, 1e-6);
+        }
+    }
+}
+
+// A table whose texels are the coordinates of their own centres reads back the coordinates, so the
+// shader's coordinates and the library's agree on where the centres are.
+TEST(SplitSumGlsl, PutsTexelCentresWhereTheLibraryDoes) {
+    constexpr int size = 64;
+    Table table{size, size, {}};
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x)
+            table.texels.emplace_back((static_cast<float>(x) + 0.5F) / size,
+                                      (static_cast<float>(y) + 0.5F) / size);
+    const double first = 0.5 / size;
+    for (uint32_t i = 0; i < input_count; ++i) {
+        const float n_dot_v = input(2 * i);
+        const float perceptual_roughness = input(2 * i + 1);
+        const glsl::vec2 at = glsl::splitsum_table_coordinates(n_dot_v, perceptual_roughness);
+        const SplitSum read =
+            look_up(table, static_cast<double>(n_dot_v), static_cast<double>(perceptual_roughness));
+        EXPECT_NEAR(read.a, std::clamp(static_cast<double>(at.x), first, 1 - first), 1e-6);
+        EXPECT_NEAR(read.b, std::clamp(static_cast<double>(at.y), first, 1 - first), 1e-6);
+    }
+}
+
+}  // namespace
+}  // namespace splitsum::tests

@@ -1,0 +1,55 @@
+#include "splitsum/table/split_sum_lookup.h"
+
+#include <gtest/gtest.h>
+
+namespace splitsum {
+namespace {
+
+// 3 columns, 2 rows, nothing symmetric.
+Table lopsided_table() {
+    return {3, 2, {{1, 10}, {2, 20}, {4, 40}, {8, 80}, {16, 160}, {32, 320}}};
+}
+
+TEST(LookUp, ReturnsTexelsAtTheirCentres) {
+    const Table table = lopsided_table();
+    for (int y = 0; y < 2; ++y)
+        for (int x = 0; x < 3; ++x) {
+            const SplitSum sum = look_up(table, (x + 0.5) / 3, (y + 0.5) / 2);
+            EXPECT_NEAR(sum.a, static_cast<double>(table.texels[static_cast<size_t>(3 * y + x)].x),
+                        1e-12);
+            EXPECT_NEAR(sum.b, static_cast<double>(table.texels[static_cast<size_t>(3 * y + x)].y),
+                        1e-12);
+        }
+}
+
+TEST(LookUp, IsLinearBetweenTexels) {
+    const SplitSum sum = look_up(lopsided_table(), (0.5 + 0.25) / 3, (0.5 + 0.5) / 2);
+    EXPECT_NEAR(sum.a, 0.5 * (0.75 * 1 + 0.25 * 2) + 0.5 * (0.75 * 8 + 0.25 * 16), 1e-12);
+}
+
+TEST(LookUp, ClampsAtTheEdges) {
+    const Table table = lopsided_table();
+    EXPECT_EQ(look_up(table, 0, 0).a, 1);
+    EXPECT_EQ(look_up(table, -3, -1).a, 1);
+    EXPECT_EQ(look_up(table, 1, 1).b, 320);
+    EXPECT_EQ(look_up(table, 7, 0).a, 4);
+}
+
+TEST(LookUp, WorksOnASingleTexel) {
+    const Table table{1, 1, {{0.25F, 0.75F}}};
+    EXPECT_EQ(look_up(table, 0.9, 0.1).a, 0.25);
+}
+
+TEST(DirectionalAlbedo, IsLinearInTheReflectance) {
+    EXPECT_DOUBLE_EQ(directional_albedo({0.8, 0.1}, 0.04), 0.04 * 0.8 + 0.1);
+    EXPECT_DOUBLE_EQ(directional_albedo({0.8, 0.1}, 1), 0.9);
+}
+
+TEST(EnergyCompensation, GivesAWhiteFurnaceBack) {
+    const SplitSum sum{0.55, 0.08};
+    EXPECT_NEAR(directional_albedo(sum, 1) * energy_compensation(sum, 1), 1, 1e-15);
+    EXPECT_EQ(energy_compensation(sum, 0), 1);
+}
+
+}  // namespace
+}  // namespace splitsum

@@ -1,0 +1,178 @@
+#include "common/options.h"
+
+#include <limits>
+
+#include "splitsum/base/text.h"
+#include "splitsum/brdf/smith.h"
+
+namespace splitsum::tools {
+namespace {
+
+constexpr int largest_size = 8192;
+constexpr int most_samples = 1 << 24;
+
+template <class Value>
+std::string with_default(const std::string& text, const Value& value) {
+    return cat(text, " (default ", value, ")");
+}
+
+template <class Integer>
+void add_whole(CLI::App& app, const std::string& name, Integer& value, int64_t lowest,
+               int64_t highest, const std::string& unit, const std::string& text) {
+    app.add_option(name, value, cat(text, ", ", lowest, " to ", highest, " (default ", value, ")"))
+        ->option_text(unit)
+        ->check(whole_number(lowest, highest));
+}
+
+void add_number(CLI::App& app, const std::string& name, double& value, double limit,
+                const std::string& unit, const std::string& text) {
+    app.add_option(name, value, with_default(text, value))
+        ->option_text(unit)
+        ->check(finite_number(-limit, limit));
+}
+
+void add_choice(CLI::App& app, const std::string& name, std::string& value,
+                const std::vector<Choice>& choices, const std::string& text) {
+    app.add_option(name, value, cat(with_default(text, value), "\n", help_of(choices)))
+        ->option_text("NAME")
+        ->check(one_of(choices));
+}
+
+std::vector<Choice> formats_with(int channels) {
+    std::vector<Choice> choices;
+    for (const PixelFormatInfo& format : pixel_formats())
+        if (format.channels == channels) choices.push_back({format.name, format.summary});
+    return choices;
+}
+
+}  // namespace
+
+InputOptions::InputOptions(CLI::App& app, Count count) {
+    auto* inputs =
+        app.add_option("PANORAMA", panoramas, "a 2:1 lat-long image: .exr, .hdr, .tif, .pfm, ...");
+    inputs->option_text(count == Count::many ? "..." : " ")->required()->check(not_empty());
+    if (count == Count::one) inputs->expected(1);
+    app.add_option("--colorspace", plan_.color_space,
+                   "colour space of the file (default: what the file says, else scene-linear "
+                   "Rec.709)")
+        ->option_text("NAME")
+        ->check(not_empty());
+    app.add_option("--ocio-config", ocio_config,
+                   "OpenColorIO configuration (default: $OCIO, else the built-in one)")
+        ->option_text("FILE")
+        ->envname("OCIO");
+    add_number(app, "--exposure", plan_.exposure_stops, 64, "STOPS",
+               "multiply radiance by 2^STOPS, -64 to 64");
+    app.add_flag("--repair", plan_.repair,
+                 "replace NaN and Inf from neighbours and negative values by 0, and count them "
+                 "(default: refuse the file)");
+}
+
+PanoramaOptions InputOptions::plan() const {
+    PanoramaOptions plan = plan_;
+    plan.ocio_config = ocio_config;
+    return plan;
+}
+
+OrientationOptions::OrientationOptions(CLI::App& app) {
+    add_number(app, "--rotate", plan.rotate_degrees, 36000, "DEGREES",
+               "turn the panorama about +y, its middle towards +X");
+    app.add_flag("--mirror", plan.mirror,
+                 "swap left and right of the panorama, before it is turned");
+    add_choice(app, "--convention", plan.convention, choices_of(conventions()),
+               "how the panorama is laid around the cube");
+}
+
+FilterOptions::FilterOptions(CLI::App& app, const std::vector<Choice>& methods) {
+    add_choice(app, "--method", plan.method, methods, "how light is integrated");
+    add_whole(app, "--samples", plan.samples, 1, most_samples, "COUNT",
+              "directions per texel of the sampling methods");
+    app.add_flag("--rotate-samples", plan.rotate_samples,
+                 "turn the directions by an angle of its own at each texel: noise instead of "
+                 "patterns");
+    add_whole(app, "--seed", plan.seed, 0, std::numeric_limits<uint32_t>::max(), "NUMBER",
+              "of these angles");
+}
+
+SpecularOptions::SpecularOptions(CLI::App& app) {
+    add_whole(app, "--size", plan_.face_size, 1, largest_size, "TEXELS",
+              "texels along an edge of level 0");
+    add_whole(app, "--levels", plan_.levels, 1, 14, "COUNT",
+              "mip levels, at most down to one texel");
+    app.add_option(
+           "--roughness", roughness_,
+           with_default("perceptual roughness of the levels: linear (level / (levels - 1)), "
+                        "filament\n(1 - sqrt(1 - level / (levels - 1))) or a list such as "
+                        "0,0.25,0.5,1",
+                        roughness_))
+        ->option_text("CURVE")
+        ->check(not_empty());
+}
+
+Result<SpecularPlan> SpecularOptions::plan() const {
+    SpecularPlan plan = plan_;
+    const auto curve = parse_roughness_curve(roughness_);
+    if (!curve) return curve.error();
+    plan.roughness = *curve;
+    if (const Status valid = validate(plan); !valid) return valid.error();
+    return plan;
+}
+
+IrradianceOptions::IrradianceOptions(CLI::App& app, const std::string& prefix) {
+    add_whole(app, cat("--", prefix, "size"), plan.face_size, 1, largest_size, "TEXELS",
+              "texels along an edge of the irradiance cubemap");
+    add_whole(app, cat("--", prefix, "order"), plan.harmonics_order, 0, 128, "BAND",
+              "highest band of the harmonics; order 2 has 9 coefficients");
+    app.add_flag(cat("--", prefix, "window"), plan.windowed,
+                 "scale the bands down so that a sun rings less (Sloan 2008)");
+    app.add_flag(cat("--", prefix, "store-e"), plan.store_irradiance,
+                 "store E itself instead of E / pi");
+}
+
+TableOptions::TableOptions(CLI::App& app, const std::string& prefix)
+    : geometry_(info_of(plan_.geometry).name) {
+    add_whole(app, cat("--", prefix, "size"), plan_.size, 1, largest_size, "TEXELS",
+              "texels along an edge of the table");
+    add_whole(app, cat("--", prefix, "samples"), plan_.samples, 1, most_samples, "COUNT",
+              "points per texel");
+    add_choice(app, cat("--", prefix, "geometry"), geometry_, choices_of(smith_terms()),
+               "shadowing and masking of the microfacets");
+}
+
+TablePlan TableOptions::plan() const {
+    TablePlan plan = plan_;
+    for (const SmithTermInfo& info : smith_terms())
+        if (info.name == geometry_) plan.geometry = info.term;
+    return plan;
+}
+
+std::string container_endings() {
+    return join(containers(), " or ", [](const Container& c) { return c.extension; });
+}
+
+EncodingOptions::EncodingOptions(CLI::App& app, int channels, const std::string& prefix)
+    : format_(channels == 2 ? "rg16f" : "rgba16f") {
+    add_choice(app, cat("--", prefix, "format"), format_, formats_with(channels),
+               "how a texel is stored in a .ktx2 file");
+    auto* zstd = app.add_flag(cat("--", prefix, "zstd"), container_.ktx2.zstd,
+                              "supercompress a .ktx2 file with Zstandard");
+    app.add_option(cat("--", prefix, "zstd-level"), container_.ktx2.zstd_level,
+                   with_default("1 (fastest) to 22 (smallest)", container_.ktx2.zstd_level))
+        ->option_text("LEVEL")
+        ->check(whole_number(1, 22))
+        ->needs(zstd);
+}
+
+PixelFormat EncodingOptions::format() const { return find_pixel_format(format_)->format; }
+
+OutputOptions::OutputOptions(CLI::App& app, const std::string& placeholder,
+                             const std::string& text) {
+    app.add_option("-o,--output", path_, text)
+        ->option_text(placeholder)
+        ->required()
+        ->check(not_empty());
+}
+
+JsonOption::JsonOption(CLI::App& app) { app.add_flag("--json", json, "print the results as JSON"); }
+
+}  // namespace splitsum::tools

@@ -1,0 +1,128 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/values.h"
+#include "splitsum/base/result.h"
+#include "splitsum/container/containers.h"
+#include "splitsum/panorama/panorama.h"
+#include "splitsum/plan/asset_plan.h"
+#include "splitsum/sphere/orientation.h"
+#include "splitsum/texture/pixel_format.h"
+
+// Groups of options that several tools share, so that a flag means the same in all of them. Each
+// registers itself on an app when it is made and holds the values once the app has parsed; it must
+// stay where it is until then. Numbers out of range and unknown names are refused while parsing.
+
+namespace splitsum::tools {
+
+/// PANORAMA, --colorspace, --ocio-config, --exposure, --repair.
+struct InputOptions {
+    enum class Count { one, many };
+
+    explicit InputOptions(CLI::App& app, Count count = Count::one);
+    InputOptions(const InputOptions&) = delete;
+
+    std::filesystem::path panorama() const { return panoramas.front(); }
+
+    std::vector<std::string> panoramas;  ///< at least one
+    std::string ocio_config;             ///< the option, else $OCIO, else ""
+    PanoramaOptions plan() const;
+
+private:
+    PanoramaOptions plan_;
+};
+
+/// --rotate, --mirror, --convention.
+struct OrientationOptions {
+    explicit OrientationOptions(CLI::App& app);
+    OrientationOptions(const OrientationOptions&) = delete;
+
+    Orientation plan;
+};
+
+/// --method, --samples, --rotate-samples, --seed. `methods` are the values of --method, and one of
+/// them is the default of FilterPlan.
+struct FilterOptions {
+    FilterOptions(CLI::App& app, const std::vector<Choice>& methods);
+    FilterOptions(const FilterOptions&) = delete;
+
+    FilterPlan plan;
+};
+
+/// --size, --levels, --roughness.
+struct SpecularOptions {
+    explicit SpecularOptions(CLI::App& app);
+    SpecularOptions(const SpecularOptions&) = delete;
+
+    /// Fails with bad_argument for a roughness that cannot be read and for levels that do not fit
+    /// the size.
+    Result<SpecularPlan> plan() const;
+
+private:
+    SpecularPlan plan_;
+    std::string roughness_ = "linear";
+};
+
+/// --size, --order, --window, --store-e; with `prefix` "irradiance-" the first is
+/// --irradiance-size and so on, where a tool also has those of another asset.
+struct IrradianceOptions {
+    explicit IrradianceOptions(CLI::App& app, const std::string& prefix = "");
+    IrradianceOptions(const IrradianceOptions&) = delete;
+
+    IrradiancePlan plan;
+};
+
+/// --size, --samples, --geometry; `prefix` as above ("table-").
+struct TableOptions {
+    explicit TableOptions(CLI::App& app, const std::string& prefix = "");
+    TableOptions(const TableOptions&) = delete;
+
+    TablePlan plan() const;
+
+private:
+    TablePlan plan_;
+    std::string geometry_;
+};
+
+/// The endings that name a container, for --help: ".ktx2 or .exr".
+std::string container_endings();
+
+/// How the texels are stored: --format, --zstd, --zstd-level.
+struct EncodingOptions {
+    /// `channels` tells which formats fit: 3 for cubemaps, 2 for tables; `prefix` as above.
+    EncodingOptions(CLI::App& app, int channels, const std::string& prefix = "");
+    EncodingOptions(const EncodingOptions&) = delete;
+
+    PixelFormat format() const;
+    ContainerOptions container() const { return container_; }
+
+private:
+    std::string format_;
+    ContainerOptions container_;
+};
+
+/// -o, --output: a file or a folder, as `placeholder` (FILE, DIR) and `text` say.
+struct OutputOptions {
+    OutputOptions(CLI::App& app, const std::string& placeholder, const std::string& text);
+    OutputOptions(const OutputOptions&) = delete;
+
+    std::filesystem::path path() const { return path_; }
+
+private:
+    std::string path_;
+};
+
+/// --json.
+struct JsonOption {
+    explicit JsonOption(CLI::App& app);
+    JsonOption(const JsonOption&) = delete;
+
+    bool json = false;
+};
+
+}  // namespace splitsum::tools

@@ -1,0 +1,102 @@
+#include "light/cubemap_tool.h"
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "splitsum/bake/facts.h"
+#include "splitsum/base/atomic_file.h"
+#include "splitsum/base/text.h"
+#include "splitsum/filter/methods.h"
+#include "splitsum/report/figures_json.h"
+#include "splitsum/report/figures_text.h"
+
+namespace splitsum::tools {
+
+std::vector<Choice> methods_for(LobeKind kind) {
+    std::vector<Choice> choices;
+    for (const FilterMethod& method : filter_methods())
+        if (kind == LobeKind::ggx ? method.filters_ggx : method.filters_cosine)
+            choices.push_back({method.name, method.summary});
+    return choices;
+}
+
+Result<Light> load_light(const InputOptions& input, Progress& progress) {
+    const auto panorama = read_panorama(input.panorama(), input.plan(), progress);
+    if (!panorama) return panorama.error();
+    return Light{Environment(panorama->pixels), source_facts(*panorama), panorama->notes};
+}
+
+CubemapOutputOptions::CubemapOutputOptions(CLI::App& app, const std::string& what) {
+    const auto ending = [](const Container& container) { return container.extension; };
+    app.add_option("-o,--output", path_,
+                   cat(what, ", by its ending: ", join(containers(), ", ", ending)))
+        ->option_text("FILE")
+        ->required()
+        ->check(not_empty());
+    app.add_option("--probes", probes_,
+                   "texels a level that are measured against exact integration (default 64), 0 for "
+                   "no measurement")
+        ->option_text("COUNT")
+        ->check(whole_number(0, 1 << 24));
+    app.add_flag("--json", json_, "print the figures as JSON");
+}
+
+Status CubemapOutputOptions::check() const {
+    if (const auto container = container_of(path_); !container) return container.error();
+    return check_writable(path_);
+}
+
+Status CubemapOutputOptions::measure_and_write(const CubemapAsset& asset, const Light& light,
+                                               const ContainerOptions& container,
+                                               Progress& progress) const {
+    const auto facts = facts_of(asset.texture.metadata);
+    if (!facts) return facts.error();
+    const auto checks =
+        check_cubemap_asset(asset.levels, *facts, light.environment, probes_, progress);
+    if (!checks) return checks.error();
+    if (const Status written = write_texture(asset.texture, path_, container); !written)
+        return written;
+    print(*checks, asset.counts, light);
+    return ok;
+}
+
+void CubemapOutputOptions::print(const std::vector<LevelCheck>& checks,
+                                 const std::vector<EncodeCounts>& counts,
+                                 const Light& light) const {
+    int64_t saturated = 0;
+    for (const EncodeCounts& count : counts) saturated += count.saturated;
+    if (json_) {
+        nlohmann::ordered_json json = {
+            {"file", path_.string()}, {"notes", light.notes}, {"saturated", saturated}};
+        json["measured"] = nlohmann::ordered_json::array();
+        for (const LevelCheck& check : checks) json["measured"].push_back(check_json(check));
+        std::cout << json.dump(2) << "\n";
+        return;
+    }
+    for (const std::string& note : light.notes) std::cout << "note: " << note << "\n";
+    if (saturated > 0)
+        std::cout << "note: " << saturated << " values were above the format's largest and are "
+                  << "stored as that\n";
+    if (!checks.empty()) std::cout << figures_heading();
+    for (const LevelCheck& check : checks)
+        std::cout << figures_line(cat("level ", check.level), check);
+    std::cout << path_.string() << "\n";
+}
+
+Result<std::vector<LevelCheck>> check_cubemap_asset(const std::vector<Cubemap>& levels,
+                                                    const AssetFacts& facts,
+                                                    const Environment& environment, int probes,
+                                                    Progress& progress) {
+    if (probes == 0) return std::vector<LevelCheck>{};
+    const CheckedAgainst truth{environment, panorama_from_cube(facts.orientation), probes};
+    progress.begin("measuring", probes * int(levels.size()));
+    if (facts.kind == AssetFacts::Kind::specular)
+        return check_specular(levels, facts.perceptual_roughness, truth, progress);
+    const auto check = check_irradiance(levels[0], facts.stores_irradiance ? std::numbers::pi : 1,
+                                        truth, progress);
+    if (!check) return check.error();
+    return std::vector<LevelCheck>{*check};
+}
+
+}  // namespace splitsum::tools

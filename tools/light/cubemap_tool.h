@@ -1,0 +1,68 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/options.h"
+#include "splitsum/assets/cubemap_asset.h"
+#include "splitsum/brdf/lobe.h"
+#include "splitsum/container/containers.h"
+#include "splitsum/filter/asset_levels.h"
+#include "splitsum/panorama/panorama.h"
+#include "splitsum/sphere/environment.h"
+#include "splitsum/verify/check_levels.h"
+
+// What the tools that turn a panorama into one cubemap have in common.
+
+namespace splitsum::tools {
+
+/// The rows of filter_methods() that filter such a lobe, for --method.
+std::vector<Choice> methods_for(LobeKind kind);
+
+/// A panorama as the filters see it.
+struct Light {
+    Environment environment;
+    SourceFacts source;
+    std::vector<std::string> notes;
+};
+
+Result<Light> load_light(const InputOptions& input, Progress& progress);
+
+/// --output, --probes, --json of a tool whose output is a cubemap.
+class CubemapOutputOptions {
+public:
+    CubemapOutputOptions(CLI::App& app, const std::string& what);
+    CubemapOutputOptions(const CubemapOutputOptions&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+    /// Whether the output can be written, asked before the work. Fails with bad_argument (unknown
+    /// ending) or unwritable_output.
+    Status check() const;
+
+    /// Measures what will be stored, writes it and prints the figures.
+    Status measure_and_write(const CubemapAsset& asset, const Light& light,
+                             const ContainerOptions& container, Progress& progress) const;
+
+    /// Prints notes, figures and where the file is, as text or as JSON.
+    void print(const std::vector<LevelCheck>& checks, const std::vector<EncodeCounts>& counts,
+               const Light& light) const;
+
+    int probes() const { return probes_; }
+
+private:
+    std::filesystem::path path_;
+    int probes_ = 64;
+    bool json_ = false;
+};
+
+/// The figures of a specular chain or an irradiance cubemap at the probes; none for 0 probes.
+Result<std::vector<LevelCheck>> check_cubemap_asset(const std::vector<Cubemap>& levels,
+                                                    const AssetFacts& facts,
+                                                    const Environment& environment, int probes,
+                                                    Progress& progress);
+
+}  // namespace splitsum::tools

@@ -1,0 +1,185 @@
+#include "batch.h"
+
+#include <chrono>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "light/cubemap_tool.h"
+#include "splitsum/assets/table_asset.h"
+#include "splitsum/base/atomic_file.h"
+#include "splitsum/base/text.h"
+
+namespace splitsum::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+class Stopwatch {
+public:
+    double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// Two panoramas of one name would write the same files.
+Status check_names(const std::vector<std::string>& panoramas) {
+    std::map<std::string, std::string> first_with_stem;
+    for (const std::string& panorama : panoramas) {
+        const std::string stem = fs::path(panorama).stem().string();
+        if (stem.empty())
+            return Error{ErrorKind::bad_argument, cat("'", panorama, "' is not the name of a file")};
+        const auto [other, is_new] = first_with_stem.emplace(stem, panorama);
+        if (!is_new)
+            return Error{ErrorKind::bad_argument,
+                         cat(panorama, " and ", other->second, " would both be baked into '", stem,
+                             "'; bake them into folders of their own")};
+    }
+    return ok;
+}
+
+struct BakedTable {
+    fs::path path;
+    double max_abs;
+};
+
+Result<BakedTable> write_table(const BatchOptions& options, const fs::path& folder,
+                               Progress& progress) {
+    const auto asset = bake_table(options.table.plan(), PixelFormat::rg16f, progress);
+    if (!asset) return asset.error();
+    const fs::path path = folder / "brdf.ktx2";
+    if (const Status written = write_texture(asset->texture, path, options.encoding.container());
+        !written)
+        return written.error();
+    return BakedTable{path, asset->max_abs};
+}
+
+double worst_rel_rms(const BakeReport& report) {
+    double worst = report.irradiance.figures.rel_rms;
+    for (const LevelCheck& check : report.specular)
+        if (check.perceptual_roughness > 0) worst = std::max(worst, check.figures.rel_rms);
+    return worst;
+}
+
+// Prints the results as they come, or collects them for one JSON object at the end.
+class Results {
+public:
+    explicit Results(bool json) : json_(json) {}
+
+    void add(const fs::path& folder, const BakeReport& report, double seconds) {
+        Json entry = {{"source", report.source.name},
+                      {"folder", folder.string()},
+                      {"worst_rel_rms", worst_rel_rms(report)},
+                      {"seconds", seconds}};
+        for (const WrittenFile& file : report.files)
+            entry["files"].push_back((folder / file.name).string());
+        panoramas_.push_back(entry);
+        if (json_) return;
+        std::cout << folder.string() << "/: " << join(report.files, ", ", [](const auto& file) {
+            return file.name;
+        }) << ", report.json, report.txt\n"
+                  << "  worst rel_rms of a level " << std::setprecision(2) << std::scientific
+                  << worst_rel_rms(report) << ", " << std::fixed << seconds << " s\n";
+        for (const std::string& note : report.notes) std::cout << "  note: " << note << "\n";
+        std::cout << std::flush;
+    }
+
+    void fail(const std::string& panorama, const Error& error) {
+        failures_.push_back(panorama);
+        if (!first_) first_ = error;
+        messages_ += (messages_.empty() ? "" : "; ") + error.message;
+    }
+
+    Result<ExitCode> finish(const std::optional<BakedTable>& table, size_t asked) const {
+        if (json_) {
+            Json json = {{"panoramas", panoramas_}, {"failed", failures_}};
+            if (table)
+                json["table"] = {{"file", table->path.string()}, {"max_abs", table->max_abs}};
+            std::cout << json.dump(2) << "\n";
+        } else if (table) {
+            std::cout << table->path.string() << ": max_abs " << std::setprecision(2)
+                      << std::scientific << table->max_abs << "\n";
+        }
+        if (!first_) return ExitCode::done;
+        if (asked == 1) return *first_;
+        return Error{first_->kind, cat(failures_.size(), " of ", asked,
+                                       " panoramas failed, the others are baked: ", messages_)};
+    }
+
+private:
+    bool json_;
+    Json panoramas_ = Json::array();
+    std::vector<std::string> failures_;
+    std::optional<Error> first_;
+    std::string messages_;
+};
+
+Result<BakeReport> bake_file(const std::string& file, const BatchOptions& options,
+                             const BakePlan& plan, const fs::path& folder, Progress& progress) {
+    const auto panorama = read_panorama(file, options.input.plan(), progress);
+    if (!panorama) return panorama.error();
+    return bake(*panorama, plan, folder, progress);
+}
+
+}  // namespace
+
+BatchOptions::BatchOptions(CLI::App& app)
+    : input(app, InputOptions::Count::many),
+      output(app, "DIR", "the folder of the results, made if it is missing"),
+      specular(app),
+      irradiance(app, "irradiance-"),
+      table(app, "table-"),
+      orientation(app),
+      filter(app, methods_for(LobeKind::ggx)),
+      encoding(app, 3),
+      json(app) {
+    app.add_option("--probes", probes,
+                   "texels a level that are measured against exact integration (default 64)")
+        ->option_text("COUNT")
+        ->check(whole_number(1, 1 << 24));
+    app.add_flag("--no-picture", no_picture, "do not write contact.png");
+}
+
+Result<BakePlan> BatchOptions::plan() const {
+    const auto chain = specular.plan();
+    if (!chain) return chain.error();
+    const BakePlan plan{*chain,           irradiance.plan,      filter.plan, orientation.plan,
+                        encoding.format(), encoding.container(), probes,      !no_picture};
+    if (const Status valid = validate(plan); !valid) return valid.error();
+    return plan;
+}
+
+Result<ExitCode> run_batch(const BatchOptions& options, Progress& progress) {
+    const auto plan = options.plan();
+    if (!plan) return plan.error();
+    const std::vector<std::string>& panoramas = options.input.panoramas;
+    if (const Status distinct = check_names(panoramas); !distinct) return distinct.error();
+    const fs::path folder = options.output.path();
+
+    Results results(options.json.json);
+    std::optional<BakedTable> table;
+    for (const std::string& file : panoramas) {
+        const Stopwatch stopwatch;
+        const fs::path target = folder / fs::path(file).stem();
+        const auto report = bake_file(file, options, *plan, target, progress);
+        if (report)
+            results.add(target, *report, stopwatch.seconds());
+        else if (report.error().kind == ErrorKind::interrupted)
+            return report.error();
+        else
+            results.fail(file, report.error());
+        if (!report || table) continue;
+        // After the first success, so that a call that can make nothing leaves nothing behind.
+        const auto written = write_table(options, folder, progress);
+        if (!written) return written.error();
+        table = *written;
+    }
+    return results.finish(table, panoramas.size());
+}
+
+}  // namespace splitsum::tools

@@ -1,0 +1,17 @@
+#include <CLI/CLI.hpp>
+
+#include "batch.h"
+#include "common/run_tool.h"
+
+int main(int argc, char** argv) {
+    using namespace splitsum;
+    CLI::App app("Bakes everything a renderer needs from panoramas: the main job.",
+                 "splitsum-bake");
+    app.footer(
+        "Makes DIR/<panorama>/{specular.ktx2, irradiance.ktx2, harmonics.json, contact.png,\n"
+        "report.json, report.txt} for each panorama, and DIR/brdf.ktx2.\n"
+        "Example: splitsum-bake sunset.exr studio.hdr -o baked --size 512 --levels 8");
+    const tools::BatchOptions options(app);
+    return tools::run_tool(
+        app, argc, argv, [&](Progress& progress) { return tools::run_batch(options, progress); });
+}

@@ -1,0 +1,203 @@
+#include "comparison.h"
+
+#include <algorithm>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "asset_file.h"
+#include "light/cubemap_tool.h"
+#include "limits.h"
+#include "splitsum/base/text.h"
+#include "splitsum/bake/facts.h"
+#include "splitsum/report/figures_json.h"
+#include "splitsum/report/figures_text.h"
+
+namespace splitsum::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Comparison {
+    std::vector<LevelCheck> levels;
+    std::vector<std::string> notes;
+};
+
+Error mismatch(const std::string& what) { return {ErrorKind::unusable_input, what}; }
+
+// What the file says of itself, completed and overruled by what the user says.
+Result<AssetFacts> facts_with_options(const AssetFile& file, const CompareOptions& options) {
+    if (!file.facts && options.kind.empty())
+        return mismatch(cat(options.asset,
+                            " does not say what it holds; say --as specular or --as irradiance"));
+    AssetFacts facts = file.facts.value_or(AssetFacts{});
+    if (options.kind == "specular") facts.kind = AssetFacts::Kind::specular;
+    if (options.kind == "irradiance") facts.kind = AssetFacts::Kind::irradiance;
+    if (facts.kind == AssetFacts::Kind::split_sum)
+        return mismatch(cat(options.asset, " is a table, which no panorama has made"));
+    if (options.orientation.given() || !file.facts) facts.orientation = options.orientation.plan;
+    const bool is_chain = facts.kind == AssetFacts::Kind::specular;
+    if (is_chain && (!options.roughness.empty() || facts.perceptual_roughness.empty())) {
+        const auto curve =
+            parse_roughness_curve(options.roughness.empty() ? "linear" : options.roughness);
+        if (!curve) return curve.error();
+        facts.perceptual_roughness = roughness_of_levels(*curve, int(file.levels.size()));
+    }
+    if (is_chain && facts.perceptual_roughness.size() != file.levels.size())
+        return mismatch(cat(options.asset, " has ", file.levels.size(), " levels and names ",
+                            facts.perceptual_roughness.size(), " roughness values"));
+    return facts;
+}
+
+Result<Comparison> against_panorama(const AssetFile& file, const CompareOptions& options,
+                                    Progress& progress) {
+    const auto facts = facts_with_options(file, options);
+    if (!facts) return facts.error();
+    PanoramaOptions reading = options.panorama.plan();
+    if (!options.panorama.exposure_given()) reading.exposure_stops = facts->source.exposure_stops;
+    const auto panorama = read_panorama(options.panorama.path(), reading, progress);
+    if (!panorama) return panorama.error();
+    const Environment environment(panorama->pixels);
+
+    Comparison comparison;
+    comparison.notes = panorama->notes;
+    if (file.facts && facts->source.hash != panorama->source_hash)
+        comparison.notes.push_back(cat("the asset says it was made from ", facts->source.name, ", ",
+                                       facts->source.hash, "; this panorama is ",
+                                       panorama->source_hash));
+    if (file.harmonics) {
+        progress.begin("measuring", options.probes);
+        const auto check = check_harmonics(
+            *file.harmonics,
+            {environment, panorama_from_cube(facts->orientation), options.probes}, progress);
+        if (!check) return check.error();
+        comparison.levels = {*check};
+        return comparison;
+    }
+    auto levels = check_cubemap_asset(file.levels, *facts, environment, options.probes, progress);
+    if (!levels) return levels.error();
+    comparison.levels = std::move(*levels);
+    return comparison;
+}
+
+Result<Comparison> tables_compared(const Table& table, const Table& other) {
+    if (table.width != other.width || table.height != other.height)
+        return mismatch(cat("the tables are ", table.width, "x", table.height, " and ", other.width,
+                            "x", other.height, "; they must be equally large"));
+    LevelCheck check;
+    check.face_size = table.width;
+    check.figures = error_figures(std::span(table.texels), std::span(other.texels));
+    return Comparison{{check}, {}};
+}
+
+Result<Comparison> cubemaps_compared(const AssetFile& file, const AssetFile& other) {
+    if (file.levels.size() != other.levels.size() ||
+        file.levels[0].face_size != other.levels[0].face_size)
+        return mismatch(cat("the cubemaps have ", file.levels.size(), " levels from ",
+                            file.levels[0].face_size, "² and ", other.levels.size(),
+                            " levels from ", other.levels[0].face_size, "²; they must be equal"));
+    Comparison comparison;
+    for (size_t level = 0; level < file.levels.size(); ++level) {
+        LevelCheck check;
+        check.level = int(level);
+        check.face_size = file.levels[level].face_size;
+        if (file.facts && level < file.facts->perceptual_roughness.size())
+            check.perceptual_roughness = file.facts->perceptual_roughness[level];
+        check.figures = error_figures(std::span(file.levels[level].texels),
+                                      std::span(other.levels[level].texels));
+        check.mean_radiance = mean_radiance(file.levels[level]);
+        comparison.levels.push_back(check);
+    }
+    return comparison;
+}
+
+Result<Comparison> against_asset(const AssetFile& file, const CompareOptions& options) {
+    const auto other = read_asset(options.other);
+    if (!other) return other.error();
+    if (file.table && other->table) return tables_compared(*file.table, *other->table);
+    if (!file.levels.empty() && !other->levels.empty()) return cubemaps_compared(file, *other);
+    if (file.harmonics && other->harmonics) {
+        std::vector<Vec3> a, b;
+        for (const Vec3d& c : file.harmonics->coefficients) a.emplace_back(c);
+        for (const Vec3d& c : other->harmonics->coefficients) b.emplace_back(c);
+        if (a.size() != b.size())
+            return mismatch(cat("the series have ", a.size(), " and ", b.size(), " coefficients"));
+        LevelCheck check;
+        check.figures = error_figures(std::span<const Vec3>(a), std::span<const Vec3>(b));
+        return Comparison{{check}, {}};
+    }
+    return mismatch(cat(options.asset, " and ", options.other, " are of different kinds"));
+}
+
+void print(const Comparison& comparison, const std::vector<std::string>& over, bool json) {
+    if (json) {
+        Json result;
+        result["notes"] = comparison.notes;
+        result["levels"] = Json::array();
+        for (const LevelCheck& check : comparison.levels)
+            result["levels"].push_back(check_json(check));
+        result["over_limit"] = over;
+        std::cout << result.dump(2) << "\n";
+        return;
+    }
+    for (const std::string& note : comparison.notes) std::cout << "note: " << note << "\n";
+    std::cout << figures_heading();
+    for (const LevelCheck& check : comparison.levels)
+        std::cout << figures_line(cat("level ", check.level), check);
+    for (const std::string& line : over) std::cout << line << "\n";
+}
+
+}  // namespace
+
+CompareOptions::CompareOptions(CLI::App& app)
+    : panorama(app), orientation(app), json(app) {
+    app.add_option("ASSET", asset, "the asset: .ktx2, .exr, or .json of harmonics")
+        ->option_text(" ")
+        ->required()
+        ->check(not_empty());
+    app.add_option("OTHER", other, "an asset to compare with, instead of --panorama")
+        ->option_text(" ")
+        ->check(not_empty());
+    app.add_option("--as", kind, "what ASSET holds, where the file does not say")
+        ->option_text("KIND")
+        ->check(one_of({{"specular", "a prefiltered chain"}, {"irradiance", "a cubemap of E / pi"}}));
+    app.add_option("--roughness", roughness,
+                   "perceptual roughness of the levels (default: what the file says, else linear)")
+        ->option_text("CURVE")
+        ->check(not_empty());
+    app.add_option("--limit", limits,
+                   "exit with 1 if a level exceeds it: rel_rms=X, max_rel=X, max_abs=X, bias=X; "
+                   "may be repeated")
+        ->option_text("FIGURE=X")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    app.add_option("--probes", probes,
+                   "texels a level that are measured against the panorama (default 64)")
+        ->option_text("COUNT")
+        ->check(whole_number(1, 1 << 24));
+}
+
+Result<ExitCode> run_compare(const CompareOptions& options, Progress& progress) {
+    if (options.other.empty() == options.panorama.path().empty())
+        return Error{ErrorKind::bad_argument,
+                     "say what to compare with: either another asset or --panorama FILE"};
+    std::vector<Limit> limits;
+    for (const std::string& text : options.limits) {
+        const auto limit = parse_limit(text);
+        if (!limit) return limit.error();
+        limits.push_back(*limit);
+    }
+    const auto file = read_asset(options.asset);
+    if (!file) return file.error();
+    const auto comparison = options.other.empty() ? against_panorama(*file, options, progress)
+                                                  : against_asset(*file, options);
+    if (!comparison) return comparison.error();
+
+    std::vector<std::string> over;
+    for (const LevelCheck& check : comparison->levels)
+        for (const std::string& line : exceeded(check.figures, limits))
+            over.push_back(cat("level ", check.level, ": ", line));
+    print(*comparison, over, options.json.json);
+    return over.empty() ? ExitCode::done : ExitCode::over_limit;
+}
+
+}  // namespace splitsum::tools

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+#include "common/exit_code.h"
+#include "common/options.h"
+
+namespace splitsum::tools {
+
+/// Every option of splitsum-compare.
+struct CompareOptions {
+    explicit CompareOptions(CLI::App& app);
+    CompareOptions(const CompareOptions&) = delete;
+
+    std::string asset;
+    std::string other;  ///< "" when a panorama is given
+    PanoramaInput panorama;
+    std::string kind;       ///< of a file that does not say: "specular", "irradiance" or ""
+    std::string roughness;  ///< of a chain that does not say; "" for what the file says
+    OrientationOptions orientation;
+    std::vector<std::string> limits;
+    int probes = 64;
+    JsonOption json;
+};
+
+/// Prints the figures of every level; over_limit when one exceeds a limit.
+Result<ExitCode> run_compare(const CompareOptions& options, Progress& progress);
+
+}  // namespace splitsum::tools

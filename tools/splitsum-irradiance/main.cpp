@@ -1,0 +1,80 @@
+#include <CLI/CLI.hpp>
+
+#include "common/options.h"
+#include "common/run_tool.h"
+#include "light/cubemap_tool.h"
+#include "splitsum/bake/facts.h"
+#include "splitsum/base/atomic_file.h"
+#include "splitsum/filter/irradiance_harmonics.h"
+#include "splitsum/report/harmonics_file.h"
+
+namespace splitsum {
+namespace {
+
+bool is_harmonics(const std::filesystem::path& path) {
+    const std::string ending = path.extension().string();
+    return ending == ".json" || ending == ".txt" || ending == ".glsl";
+}
+
+Status write_cubemap(const tools::Light& light, const IrradiancePlan& plan, const FilterPlan& filter,
+                     const Orientation& orientation, const tools::EncodingOptions& encoding,
+                     const tools::CubemapOutputOptions& output, Progress& progress) {
+    const auto levels =
+        filter_levels(light.environment, {std::nullopt, plan, filter, orientation}, progress);
+    if (!levels) return levels.error();
+    const auto asset = cubemap_asset({&*levels->irradiance, 1}, encoding.format(),
+                                     irradiance_facts(light.source, plan, filter, orientation));
+    if (!asset) return asset.error();
+    return output.measure_and_write(*asset, light, encoding.container(), progress);
+}
+
+Status write_series(const tools::Light& light, const IrradiancePlan& plan, const FilterPlan& filter,
+                    const Orientation& orientation, const tools::CubemapOutputOptions& output,
+                    Progress& progress) {
+    const Mat3d panorama_from_cube = splitsum::panorama_from_cube(orientation);
+    const IrradianceHarmonics harmonics = irradiance_harmonics(
+        light.environment, plan.harmonics_order, plan.windowed, panorama_from_cube);
+    std::vector<LevelCheck> checks;
+    if (output.probes() > 0) {
+        progress.begin("measuring", output.probes());
+        const auto check = check_harmonics(
+            harmonics, {light.environment, panorama_from_cube, output.probes()}, progress);
+        if (!check) return check.error();
+        checks.push_back(*check);
+    }
+    const Status written = write_harmonics(
+        harmonics, irradiance_facts(light.source, plan, filter, orientation), output.path());
+    if (written) output.print(checks, {}, light);
+    return written;
+}
+
+}  // namespace
+}  // namespace splitsum
+
+int main(int argc, char** argv) {
+    using namespace splitsum;
+    CLI::App app("Integrates the diffuse light of a panorama: a cubemap of E / pi, or harmonics.",
+                 "splitsum-irradiance");
+    app.footer(
+        "Examples: splitsum-irradiance sunset.exr -o irradiance.ktx2 --size 32\n"
+        "          splitsum-irradiance sunset.exr -o harmonics.glsl --order 3 --window");
+    const tools::InputOptions input(app);
+    const tools::IrradianceOptions irradiance(app);
+    const tools::OrientationOptions orientation(app);
+    const tools::FilterOptions filter(app, tools::methods_for(LobeKind::cosine));
+    const tools::EncodingOptions encoding(app, 3);
+    const tools::CubemapOutputOptions output(app, "harmonics for .json, .txt and .glsl, else a cubemap");
+
+    return tools::run_tool(app, argc, argv, [&](Progress& progress) -> Status {
+        const bool series = is_harmonics(output.path());
+        const Status possible = series ? check_writable(output.path()) : output.check();
+        if (!possible) return possible;
+        const auto light = tools::load_light(input, progress);
+        if (!light) return light.error();
+        if (series)
+            return write_series(*light, irradiance.plan, filter.plan, orientation.plan, output,
+                                progress);
+        return write_cubemap(*light, irradiance.plan, filter.plan, orientation.plan, encoding,
+                             output, progress);
+    });
+}

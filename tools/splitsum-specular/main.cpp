@@ -1,0 +1,37 @@
+#include <CLI/CLI.hpp>
+
+#include "common/options.h"
+#include "common/run_tool.h"
+#include "light/cubemap_tool.h"
+#include "splitsum/bake/facts.h"
+#include "splitsum/filter/methods.h"
+
+int main(int argc, char** argv) {
+    using namespace splitsum;
+    CLI::App app("Filters a panorama with the GGX lobe into a mip chain of reflections.",
+                 "splitsum-specular");
+    app.footer("Example: splitsum-specular sunset.exr -o specular.ktx2 --size 256 --levels 7");
+    const tools::InputOptions input(app);
+    const tools::SpecularOptions specular(app);
+    const tools::OrientationOptions orientation(app);
+    const tools::FilterOptions filter(app, tools::methods_for(LobeKind::ggx));
+    const tools::EncodingOptions encoding(app, 3);
+    const tools::CubemapOutputOptions output(app, "the chain");
+
+    return tools::run_tool(app, argc, argv, [&](Progress& progress) -> Status {
+        const auto plan = specular.plan();
+        if (!plan) return plan.error();
+        if (const Status possible = output.check(); !possible) return possible;
+        const auto light = tools::load_light(input, progress);
+        if (!light) return light.error();
+
+        const auto levels = filter_levels(
+            light->environment, {*plan, std::nullopt, filter.plan, orientation.plan}, progress);
+        if (!levels) return levels.error();
+        const auto asset = cubemap_asset(
+            levels->specular, encoding.format(),
+            specular_facts(light->source, *plan, filter.plan, orientation.plan));
+        if (!asset) return asset.error();
+        return output.measure_and_write(*asset, *light, encoding.container(), progress);
+    });
+}
