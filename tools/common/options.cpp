@@ -1,5 +1,6 @@
 #include "common/options.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "splitsum/base/text.h"
@@ -24,16 +25,16 @@ void add_whole(CLI::App& app, const std::string& name, Integer& value, int64_t l
         ->check(whole_number(lowest, highest));
 }
 
-void add_number(CLI::App& app, const std::string& name, double& value, double limit,
-                const std::string& unit, const std::string& text) {
-    app.add_option(name, value, with_default(text, value))
+CLI::Option* add_number(CLI::App& app, const std::string& name, double& value, double limit,
+                        const std::string& unit, const std::string& text) {
+    return app.add_option(name, value, with_default(text, value))
         ->option_text(unit)
         ->check(finite_number(-limit, limit));
 }
 
-void add_choice(CLI::App& app, const std::string& name, std::string& value,
-                const std::vector<Choice>& choices, const std::string& text) {
-    app.add_option(name, value, cat(with_default(text, value), "\n", help_of(choices)))
+CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& value,
+                        const std::vector<Choice>& choices, const std::string& text) {
+    return app.add_option(name, value, cat(with_default(text, value), "\n", help_of(choices)))
         ->option_text("NAME")
         ->check(one_of(choices));
 }
@@ -47,40 +48,47 @@ std::vector<Choice> formats_with(int channels) {
 
 }  // namespace
 
-InputOptions::InputOptions(CLI::App& app, Count count) {
-    auto* inputs =
-        app.add_option("PANORAMA", panoramas, "a 2:1 lat-long image: .exr, .hdr, .tif, .pfm, ...");
-    inputs->option_text(count == Count::many ? "..." : " ")->required()->check(not_empty());
-    if (count == Count::one) inputs->expected(1);
+ReadingOptions::ReadingOptions(CLI::App& app) {
     app.add_option("--colorspace", plan_.color_space,
                    "colour space of the file (default: what the file says, else scene-linear "
                    "Rec.709)")
         ->option_text("NAME")
         ->check(not_empty());
-    app.add_option("--ocio-config", ocio_config,
+    app.add_option("--ocio-config", ocio_config_,
                    "OpenColorIO configuration (default: $OCIO, else the built-in one)")
         ->option_text("FILE")
         ->envname("OCIO");
-    add_number(app, "--exposure", plan_.exposure_stops, 64, "STOPS",
-               "multiply radiance by 2^STOPS, -64 to 64");
+    exposure_ = add_number(app, "--exposure", plan_.exposure_stops, 64, "STOPS",
+                           "multiply radiance by 2^STOPS, -64 to 64");
     app.add_flag("--repair", plan_.repair,
                  "replace NaN and Inf from neighbours and negative values by 0, and count them "
                  "(default: refuse the file)");
 }
 
-PanoramaOptions InputOptions::plan() const {
+PanoramaOptions ReadingOptions::plan() const {
     PanoramaOptions plan = plan_;
-    plan.ocio_config = ocio_config;
+    plan.ocio_config = ocio_config_;
     return plan;
 }
 
+InputOptions::InputOptions(CLI::App& app, Count count) : reading_(app) {
+    auto* inputs =
+        app.add_option("PANORAMA", panoramas, "a 2:1 lat-long image: .exr, .hdr, .tif, .pfm, ...");
+    inputs->option_text(count == Count::many ? "..." : " ")->required()->check(not_empty());
+    if (count == Count::one) inputs->expected(1);
+}
+
 OrientationOptions::OrientationOptions(CLI::App& app) {
-    add_number(app, "--rotate", plan.rotate_degrees, 36000, "DEGREES",
-               "turn the panorama about +y, its middle towards +X");
-    app.add_flag("--mirror", plan.mirror,
-                 "swap left and right of the panorama, before it is turned");
-    add_choice(app, "--convention", plan.convention, choices_of(conventions()),
-               "how the panorama is laid around the cube");
+    options_ = {add_number(app, "--rotate", plan.rotate_degrees, 36000, "DEGREES",
+                           "turn the panorama about +y, its middle towards +X"),
+                app.add_flag("--mirror", plan.mirror,
+                             "swap left and right of the panorama, before it is turned"),
+                add_choice(app, "--convention", plan.convention, choices_of(conventions()),
+                           "how the panorama is laid around the cube")};
+}
+
+bool OrientationOptions::given() const {
+    return std::ranges::any_of(options_, [](const CLI::Option* o) { return o->count() > 0; });
 }
 
 FilterOptions::FilterOptions(CLI::App& app, const std::vector<Choice>& methods) {

@@ -20,7 +20,21 @@
 
 namespace splitsum::tools {
 
-/// PANORAMA, --colorspace, --ocio-config, --exposure, --repair.
+/// How panoramas are read: --colorspace, --ocio-config, --exposure, --repair.
+struct ReadingOptions {
+    explicit ReadingOptions(CLI::App& app);
+    ReadingOptions(const ReadingOptions&) = delete;
+
+    PanoramaOptions plan() const;
+    bool exposure_given() const { return exposure_->count() > 0; }
+
+private:
+    PanoramaOptions plan_;
+    std::string ocio_config_;  // the option, else $OCIO, else ""
+    CLI::Option* exposure_;
+};
+
+/// PANORAMA, one or several, and how they are read.
 struct InputOptions {
     enum class Count { one, many };
 
@@ -28,13 +42,12 @@ struct InputOptions {
     InputOptions(const InputOptions&) = delete;
 
     std::filesystem::path panorama() const { return panoramas.front(); }
+    PanoramaOptions plan() const { return reading_.plan(); }
 
     std::vector<std::string> panoramas;  ///< at least one
-    std::string ocio_config;             ///< the option, else $OCIO, else ""
-    PanoramaOptions plan() const;
 
 private:
-    PanoramaOptions plan_;
+    ReadingOptions reading_;
 };
 
 /// --rotate, --mirror, --convention.
@@ -43,6 +56,11 @@ struct OrientationOptions {
     OrientationOptions(const OrientationOptions&) = delete;
 
     Orientation plan;
+    /// Whether any of them was on the command line.
+    bool given() const;
+
+private:
+    std::vector<CLI::Option*> options_;
 };
 
 /// --method, --samples, --rotate-samples, --seed. `methods` are the values of --method, and one of

@@ -52,9 +52,9 @@ Result<Comparison> against_panorama(const AssetFile& file, const CompareOptions&
                                     Progress& progress) {
     const auto facts = facts_with_options(file, options);
     if (!facts) return facts.error();
-    PanoramaOptions reading = options.panorama.plan();
-    if (!options.panorama.exposure_given()) reading.exposure_stops = facts->source.exposure_stops;
-    const auto panorama = read_panorama(options.panorama.path(), reading, progress);
+    PanoramaOptions reading = options.reading.plan();
+    if (!options.reading.exposure_given()) reading.exposure_stops = facts->source.exposure_stops;
+    const auto panorama = read_panorama(options.panorama, reading, progress);
     if (!panorama) return panorama.error();
     const Environment environment(panorama->pixels);
 
@@ -149,13 +149,16 @@ void print(const Comparison& comparison, const std::vector<std::string>& over, b
 }  // namespace
 
 CompareOptions::CompareOptions(CLI::App& app)
-    : panorama(app), orientation(app), json(app) {
+    : reading(app), orientation(app), json(app) {
     app.add_option("ASSET", asset, "the asset: .ktx2, .exr, or .json of harmonics")
         ->option_text(" ")
         ->required()
         ->check(not_empty());
     app.add_option("OTHER", other, "an asset to compare with, instead of --panorama")
         ->option_text(" ")
+        ->check(not_empty());
+    app.add_option("--panorama", panorama, "the panorama the asset was made from")
+        ->option_text("FILE")
         ->check(not_empty());
     app.add_option("--as", kind, "what ASSET holds, where the file does not say")
         ->option_text("KIND")
@@ -177,7 +180,7 @@ CompareOptions::CompareOptions(CLI::App& app)
 }
 
 Result<ExitCode> run_compare(const CompareOptions& options, Progress& progress) {
-    if (options.other.empty() == options.panorama.path().empty())
+    if (options.other.empty() == options.panorama.empty())
         return Error{ErrorKind::bad_argument,
                      "say what to compare with: either another asset or --panorama FILE"};
     std::vector<Limit> limits;

@@ -17,7 +17,8 @@ struct CompareOptions {
 
     std::string asset;
     std::string other;  ///< "" when a panorama is given
-    PanoramaInput panorama;
+    std::string panorama;  ///< "" when another asset is given
+    ReadingOptions reading;
     std::string kind;       ///< of a file that does not say: "specular", "irradiance" or ""
     std::string roughness;  ///< of a chain that does not say; "" for what the file says
     OrientationOptions orientation;

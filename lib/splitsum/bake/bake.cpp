@@ -5,6 +5,7 @@
 #include "splitsum/assets/cubemap_asset.h"
 #include "splitsum/bake/facts.h"
 #include "splitsum/base/atomic_file.h"
+#include "splitsum/base/staged_folder.h"
 #include "splitsum/base/text.h"
 #include "splitsum/filter/irradiance_harmonics.h"
 #include "splitsum/picture/contact_sheet.h"
@@ -59,53 +60,42 @@ Status measure(const BakedAssets& assets, const Environment& environment, const 
     return ok;
 }
 
-// Writes files into a folder and keeps the list of them; does nothing more after a failure.
-class FolderWriter {
-public:
-    FolderWriter(const std::filesystem::path& folder, std::vector<WrittenFile>& files)
-        : folder_(folder), files_(files), status_(make_folder(folder)) {}
-
-    template <class Write>
-    void write(const std::string& name, const std::string& what, const Write& write_to) {
-        if (!status_) return;
-        status_ = write_to(folder_ / name);
-        if (status_) files_.push_back({name, int64_t(file_size(folder_ / name)), what});
-    }
-
-    const Status& status() const { return status_; }
-
-private:
-    std::filesystem::path folder_;
-    std::vector<WrittenFile>& files_;
-    Status status_;
-};
+Status write_assets(const BakedAssets& assets, const BakePlan& plan, BakeReport& report,
+                    StagedFolder& folder) {
+    const auto write = [&](const std::string& name, const std::string& what, Status written) {
+        if (written) report.files.push_back({name, int64_t(file_size(folder.path() / name)), what});
+        return written;
+    };
+    const auto& container = plan.container;
+    Status status = write(
+        "specular.ktx2", "prefiltered radiance for a direction and a roughness",
+        write_texture(assets.specular.texture, folder.path() / "specular.ktx2", container));
+    if (status)
+        status = write(
+            "irradiance.ktx2",
+            plan.irradiance.store_irradiance ? "E for a normal" : "E / pi for a normal",
+            write_texture(assets.irradiance.texture, folder.path() / "irradiance.ktx2", container));
+    if (status)
+        status = write("harmonics.json", "E / pi as spherical harmonics",
+                       write_harmonics(assets.harmonics, report.irradiance_facts,
+                                       folder.path() / "harmonics.json"));
+    if (status && plan.picture)
+        status = write("contact.png", "a picture of the levels, for people",
+                       write_contact_sheet({assets.specular.levels, assets.irradiance.levels[0]},
+                                           folder.path() / "contact.png"));
+    return status;
+}
 
 Status write_files(const BakedAssets& assets, const BakePlan& plan,
                    const std::filesystem::path& folder, BakeReport& report) {
-    FolderWriter writer(folder, report.files);
-    writer.write("specular.ktx2", "prefiltered radiance for a direction and a roughness",
-                 [&](const auto& path) {
-                     return write_texture(assets.specular.texture, path, plan.container);
-                 });
-    writer.write("irradiance.ktx2",
-                 plan.irradiance.store_irradiance ? "E for a normal" : "E / pi for a normal",
-                 [&](const auto& path) {
-                     return write_texture(assets.irradiance.texture, path, plan.container);
-                 });
-    writer.write("harmonics.json", "E / pi as spherical harmonics", [&](const auto& path) {
-        return write_harmonics(assets.harmonics, report.irradiance_facts, path);
-    });
-    if (plan.picture)
-        writer.write("contact.png", "a picture of the levels, for people", [&](const auto& path) {
-            return write_contact_sheet({assets.specular.levels, assets.irradiance.levels[0]}, path);
-        });
+    auto staged = StagedFolder::create(folder);
+    if (!staged) return staged.error();
+    if (const Status done = write_assets(assets, plan, report, *staged); !done) return done;
     // Last: they say that everything else is there.
-    const std::string text = report_text(report), json = report_json(report);
-    if (writer.status())
-        if (const Status done = write_text_whole(folder / "report.txt", text); !done) return done;
-    if (writer.status())
-        if (const Status done = write_text_whole(folder / "report.json", json); !done) return done;
-    return writer.status();
+    for (const auto& [name, text] : {std::pair("report.txt", report_text(report)),
+                                     std::pair("report.json", report_json(report))})
+        if (const Status done = write_text_whole(staged->path() / name, text); !done) return done;
+    return staged->publish();
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 namespace splitsum {
 
 // Directions around +z in proportion to their cosine: what a diffuse surface gathers.
-// Malley's method; e.g. Pharr, Jakob & Humphreys 2023, "Physically Based Rendering", 4th ed., A.5.3.
+// Malley's method; e.g. Pharr, Jakob & Humphreys 2023, "Physically Based Rendering", A.5.3.
 
 /// Probability per steradian with which sample_cosine_direction returns a direction at this cosine
 /// from +z: cos theta / pi, and 0 below the horizon.

@@ -27,7 +27,7 @@ const SmithTermInfo& info_of(SmithTerm term);
 /// both cosines are above 0.
 double smith_visibility(SmithTerm term, double n_dot_l, double n_dot_v, double alpha);
 
-/// G1 = 2 / (1 + sqrt(1 + alpha² tan²)) of a GGX surface (Smith 1967; Heitz 2014, eq. 72): the share
+/// G1 = 2 / (1 + sqrt(1 + alpha² tan²)) of a GGX surface (Smith 1967; Heitz 2014, eq. 72): the part
 /// of facets that a viewer at this cosine from the normal sees. `cosine` in (0, 1], `alpha` in
 /// [0, 1].
 double smith_masking(double cosine, double alpha);

@@ -12,7 +12,7 @@ namespace splitsum {
 /// `view` is a unit vector with z > 0; `alpha` in (0, 1].
 double visible_normal_pdf(const Vec3d& view, const Vec3d& normal, double alpha);
 
-/// Maps u in [0, 1)² to a unit normal with density visible_normal_pdf, by a spherical cap around the
+/// Maps u in [0, 1)² to a unit normal with density visible_normal_pdf by a spherical cap around the
 /// stretched view (Dupuy & Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps", HPG):
 /// u.x sets the height on the cap, u.y the azimuth. `alpha` in [0, 1]; 0 gives +z.
 Vec3d sample_visible_normal(const Vec3d& view, const Vec2d& u, double alpha);

@@ -15,8 +15,8 @@ namespace splitsum {
 // carries keys with values, and stores the levels as the GPU reads them, smallest level first.
 
 struct Ktx2Options {
-    /// Zstandard supercompression, each level on its own. Lossless; files of half floats shrink to
-    /// about three quarters.
+    /// Zstandard supercompression, each level on its own, lossless. Compressing takes several times
+    /// as long as encoding the texels.
     bool zstd = false;
     /// 1 (fastest) to 22 (smallest, hundreds of megabytes of memory while compressing).
     int zstd_level = 3;

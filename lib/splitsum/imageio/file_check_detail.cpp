@@ -117,7 +117,8 @@ bool tiff_is_cut_short(TiffBytes& tiff, uint64_t file_size) {
 Status check_file(const fs::path& path) {
     std::error_code failure;
     const fs::file_status status = fs::status(path, failure);
-    if (!fs::exists(status)) return unreadable(path, failure ? failure.message() : "no such file");
+    if (status.type() == fs::file_type::not_found) return unreadable(path, "no such file");
+    if (!fs::exists(status)) return unreadable(path, failure.message());
     if (fs::is_directory(status)) return unreadable(path, "it is a folder, not an image file");
     if (!fs::is_regular_file(status)) return unreadable(path, "it is not a regular file");
     const uint64_t file_size = fs::file_size(path, failure);

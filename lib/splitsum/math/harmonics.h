@@ -25,7 +25,7 @@ inline size_t harmonic_index(int l, int m) { return static_cast<size_t>(l * l + 
 ///
 /// fp64 recurrence over l at fixed m, the stable direction (Holmes & Featherstone 2002, J. Geodesy
 /// 76, eq. 11); absolute error below 1e-12 up to order 200 (tested by the addition theorem). Above
-/// order 1900 the start values of the recurrence underflow where they still matter. Cost: O(order²).
+/// order 1900 the start values of the recurrence underflow where they still count. Cost: O(order²).
 void evaluate_harmonics(const Vec3d& direction, int order, std::span<double> values);
 
 }  // namespace splitsum

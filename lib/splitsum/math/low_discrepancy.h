@@ -6,7 +6,7 @@
 
 namespace splitsum {
 
-/// The bits of `i` mirrored about the binary point, in [0, 1) (van der Corput's sequence in base 2).
+/// The bits of `i` mirrored about the binary point, in [0, 1): van der Corput's sequence in base 2.
 /// Exact: all 32 bits fit a double.
 inline double radical_inverse_base2(uint32_t i) {
     i = (i << 16) | (i >> 16);

@@ -40,7 +40,7 @@ std::string exact_text(double value) {
     return {buffer.data(), written.ptr};
 }
 
-// filament: lod = r (2 - r), so r = 1 - sqrt(1 - lod), written without the cancellation at small lod.
+// filament: lod = r (2 - r), so r = 1 - sqrt(1 - lod), without the cancellation at small lod.
 double filament_roughness(double lod) { return lod / (1 + std::sqrt(1 - lod)); }
 
 double level_in_list(const std::vector<double>& list, double perceptual_roughness) {

@@ -18,7 +18,7 @@ namespace {
 //
 //     theta < pi / 4 + atan2(s cos phi, n·v) / 2.
 //
-// Inside of that the integrand 4 D V (n·l) (v·h) is analytic, and it is even in phi. (dl = 4 v·h dh.)
+// Inside of that the integrand 4 D V (n·l) (v·h) is analytic and even in phi. (dl = 4 v·h dh.)
 struct Setting {
     SmithTerm term;
     double n_dot_v;

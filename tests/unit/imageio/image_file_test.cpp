@@ -26,13 +26,15 @@ float source_value(int x, int y, int channel) {
 }
 
 Result<Image> read_all(ImageReader& reader) {
-    Image image(reader.info().width, reader.info().height);
+    Image image;
+    image.width = reader.info().width;
+    image.height = reader.info().height;
     int expected_row = 0;
     const Status status =
         reader.read_rows([&](int first_row, int row_count, std::span<const float> rgb) -> Status {
             EXPECT_EQ(first_row, expected_row) << "rows must come from the top down";
             EXPECT_EQ(rgb.size(), 3u * static_cast<size_t>(row_count * image.width));
-            std::ranges::copy(rgb, image.row(first_row).begin());
+            image.rgb.insert(image.rgb.end(), rgb.begin(), rgb.end());
             expected_row += row_count;
             return ok;
         });
