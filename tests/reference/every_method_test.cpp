@@ -33,6 +33,10 @@ double tolerance(const Case& c) { return c.method.name == "reference" ? 2e-6 : 4
 
 constexpr int samples = 16384;
 
+// What two methods may differ by under a sun (rel_rms): measured up to 4e-3, while a lobe 5 % too
+// wide differs by 8e-3.
+constexpr double agreement = 6e-3;
+
 std::vector<Case> cases() {
     std::vector<Case> all;
     for (const FilterMethod& method : filter_methods()) {
@@ -136,7 +140,7 @@ TEST_P(EveryMethod, AgreesWithReferenceOnALopsidedSkyWithASun) {
         const ErrorFigures figures =
             error_figures(filtered(GetParam(), sky, directions, rotate),
                           filtered(reference, sky, directions));
-        EXPECT_LT(figures.rel_rms, 1.5e-2) << "rotate " << rotate;
+        EXPECT_LT(figures.rel_rms, agreement) << "rotate " << rotate;
     }
 }
 
@@ -163,7 +167,7 @@ TEST(EveryMethodItself, NoticesALobeThatIsTooWide) {
     const Environment sky = tests::lopsided_sky(64);
     const auto right = filtered({reference, {LobeKind::ggx, 0.25}}, sky, directions);
     const auto wide = filtered({reference, {LobeKind::ggx, 0.2625}}, sky, directions);
-    EXPECT_GT(error_figures(wide, right).rel_rms, 1.5e-2);
+    EXPECT_GT(error_figures(wide, right).rel_rms, agreement);
 }
 
 TEST(RotatedSamples, DependOnTheTexelAndTheSeedAlone) {

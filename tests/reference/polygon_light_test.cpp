@@ -64,9 +64,9 @@ TEST(PolygonLight, IrradianceIsLambertsFormula) {
             const auto filter = method.prepare(environment, {&cosine, 1}, plan);
             std::vector<Vec3> over_pi(std::size(normals));
             filter->evaluate(0, {normals}, over_pi);
-            // The outline is known to a sixteenth of a texel for the exact sum; samples read whole
-            // texels or blur them.
-            const double tolerance = method.name == "reference" ? 1e-4 : 5e-3;
+            // 160 texels of outline, each known to 1/256 of its area, among 2000 lit ones: 2e-4 was
+            // measured. Samples read whole texels or blur them.
+            const double tolerance = method.name == "reference" ? 4e-4 : 5e-3;
             for (size_t i = 0; i < std::size(normals); ++i) {
                 const double expected = lambert_irradiance(light, normals[i]);
                 EXPECT_NEAR(over_pi[i].x * std::numbers::pi, expected, tolerance * expected)

@@ -125,13 +125,21 @@ private:
     Vec3d careful(const Lobe& lobe, const Towards& towards, int y, int begin, int end) const {
         Vec3d sum(0);
         for (int x = begin; x < end; ++x) {
-            const LatLongPatch patch{y * row_height(), (y + 1) * row_height(),
-                                     (x - towards.column) * column_width(),
-                                     (x + 1 - towards.column) * column_width()};
-            sum += lobe_over_patch(lobe, towards.theta, patch) *
+            const double left = (x - towards.column) * column_width();
+            const double right = left + column_width();
+            sum += (over_azimuths(lobe, towards.theta, y, std::max(left, -pi), std::min(right, pi)) +
+                    over_azimuths(lobe, towards.theta, y, left + 2 * pi, pi) +
+                    over_azimuths(lobe, towards.theta, y, -pi, right - 2 * pi)) *
                    Vec3d(environment_.texel(wrapped(x), y));
         }
         return sum;
+    }
+
+    // The lobe's integral over a part of row y; 0 where the azimuths are in the wrong order.
+    double over_azimuths(const Lobe& lobe, double lobe_theta, int y, double from, double to) const {
+        if (to <= from) return 0;
+        return lobe_over_patch(lobe, lobe_theta,
+                               {y * row_height(), (y + 1) * row_height(), from, to});
     }
 
     Vec3d plain(const Lobe& lobe, const Towards& towards, int y, int begin, int end) const {

@@ -1,0 +1,220 @@
+#include "splitsum/picture/contact_sheet.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <optional>
+
+#include "splitsum/base/parallel.h"
+#include "splitsum/color/display.h"
+#include "splitsum/imageio/png_file.h"
+#include "splitsum/picture/cubemap_lookup.h"
+
+namespace splitsum {
+namespace {
+
+constexpr int picture_width = 1600;
+constexpr int gap = 24;
+constexpr int bar_height = 6;
+constexpr int largest_cell = 520;
+constexpr int samples_per_edge = 2;  ///< 2 x 2 samples a pixel, each shown before they are averaged
+
+constexpr std::array<uint8_t, 3> background = {30, 31, 34};
+constexpr std::array<uint8_t, 3> bar_track = {52, 54, 59};
+constexpr std::array<uint8_t, 3> bar_fill = {214, 160, 84};
+
+/// One ball with its strip: a level, or the irradiance.
+struct Cell {
+    const Cubemap* cubemap;
+    std::optional<double> perceptual_roughness;  ///< none for the irradiance
+};
+
+std::vector<Cell> cells_of(const ContactSheet& sheet) {
+    std::vector<Cell> cells;
+    for (const auto& level : sheet.levels)
+        cells.push_back({level.cubemap, level.perceptual_roughness});
+    if (sheet.irradiance) cells.push_back({sheet.irradiance, std::nullopt});
+    return cells;
+}
+
+/// Where things are: cells in rows of equal size, each a ball over a strip over a bar.
+struct Layout {
+    int columns;
+    int rows;
+    int cell_width;
+    int left;  ///< of the first column; rows of few cells are centred
+
+    explicit Layout(int cells)
+        : columns(columns_for(cells)),
+          rows((cells + columns - 1) / columns),
+          cell_width(std::min((picture_width - gap * (columns + 1)) / columns, largest_cell)),
+          left((picture_width - columns * cell_width - (columns - 1) * gap) / 2) {}
+
+    int ball() const { return cell_width; }
+    int strip() const { return cell_width / 2; }
+    int row_height() const { return ball() + gap / 2 + strip() + gap / 2 + bar_height + gap; }
+    int height() const { return gap + rows * row_height(); }
+
+private:
+    // Full rows look best: of 3, 4 and 5 columns the one that leaves the fewest holes.
+    static int columns_for(int cells) {
+        if (cells <= 5) return cells;
+        int best = 4;
+        const auto holes = [&](int columns) { return (columns - cells % columns) % columns; };
+        for (const int columns : {5, 3})
+            if (holes(columns) < holes(best)) best = columns;
+        return best;
+    }
+};
+
+/// A place of the picture in a cell: x and y in pixels from its upper left corner.
+struct Place {
+    int cell;
+    double x;
+    double y;
+};
+
+std::optional<Place> place_at(const Layout& layout, double x, double y) {
+    const double from_left = x - layout.left, from_top = y - gap;
+    if (from_left < 0 || from_top < 0) return std::nullopt;
+    const int column = static_cast<int>(from_left / (layout.cell_width + gap));
+    const int row = static_cast<int>(from_top / layout.row_height());
+    const double in_x = from_left - column * (layout.cell_width + gap);
+    if (column >= layout.columns || in_x >= layout.cell_width) return std::nullopt;
+    return Place{row * layout.columns + column, in_x, from_top - row * layout.row_height()};
+}
+
+// The viewer stands at +z and looks back, so that the ball mirrors the middle of the panorama; in
+// the left-handed world -x is then to the right.
+std::optional<Vec3d> direction_on_ball(const Layout& layout, const Place& place, bool mirror) {
+    const double radius = 0.5 * layout.ball();
+    const double a = (place.x - radius) / radius, b = (radius - place.y) / radius;
+    const double inside = 1 - a * a - b * b;
+    if (inside < 0) return std::nullopt;
+    const Vec3d normal(-a, b, std::sqrt(inside));
+    if (!mirror) return normal;
+    const Vec3d to_viewer(0, 0, 1);
+    return 2 * dot(normal, to_viewer) * normal - to_viewer;
+}
+
+std::optional<Vec3d> direction_on_strip(const Layout& layout, const Place& place) {
+    const double v = (place.y - layout.ball() - gap / 2) / layout.strip();
+    if (v < 0 || v >= 1) return std::nullopt;
+    const double azimuth = (place.x / layout.cell_width - 0.5) * 2 * std::numbers::pi;
+    const double polar = v * std::numbers::pi;
+    return Vec3d(std::sin(polar) * std::sin(azimuth), std::cos(polar),
+                 std::sin(polar) * std::cos(azimuth));
+}
+
+/// Linear light at a point of the picture, or nothing on the background.
+std::optional<Vec3> light_at(const Layout& layout, const std::vector<Cell>& cells, double x,
+                             double y) {
+    const auto place = place_at(layout, x, y);
+    if (!place || place->cell >= static_cast<int>(cells.size())) return std::nullopt;
+    const Cell& cell = cells[static_cast<size_t>(place->cell)];
+    const auto direction =
+        place->y < layout.ball()
+            ? direction_on_ball(layout, *place, cell.perceptual_roughness.has_value())
+            : direction_on_strip(layout, *place);
+    if (!direction) return std::nullopt;
+    return bilinear_lookup(*cell.cubemap, *direction);
+}
+
+/// The samples of one pixel row, shown on the display: 3 values each in [0, 1].
+std::vector<float> shown_samples(const Layout& layout, const std::vector<Cell>& cells, int y,
+                                 float exposure, const DisplayTransform& display) {
+    constexpr int n = samples_per_edge;
+    std::vector<float> rgb;
+    std::vector<bool> lit;
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n * picture_width; ++i) {
+            const auto light = light_at(layout, cells, (i + 0.5) / n, y + (j + 0.5) / n);
+            const Vec3 shown = light ? exposure * *light : Vec3(0);
+            rgb.insert(rgb.end(), {shown.x, shown.y, shown.z});
+            lit.push_back(light.has_value());
+        }
+    display.apply(rgb);
+    for (size_t i = 0; i < lit.size(); ++i)
+        for (size_t c = 0; c < 3 && !lit[i]; ++c)
+            rgb[3 * i + c] = static_cast<float>(background[c]) / 255;
+    return rgb;
+}
+
+void average_samples(const std::vector<float>& samples, std::span<uint8_t> row) {
+    constexpr size_t n = samples_per_edge, stride = 3 * n * picture_width;
+    for (size_t x = 0; x < picture_width; ++x)
+        for (size_t c = 0; c < 3; ++c) {
+            float sum = 0;
+            for (size_t j = 0; j < n; ++j)
+                for (size_t i = 0; i < n; ++i) sum += samples[j * stride + 3 * (n * x + i) + c];
+            row[3 * x + c] = static_cast<uint8_t>(std::lround(255 * sum / (n * n)));
+        }
+}
+
+void draw_bar(std::span<uint8_t> picture, const Layout& layout, int index, double fraction) {
+    const int left = layout.left + index % layout.columns * (layout.cell_width + gap);
+    const int top =
+        gap + index / layout.columns * layout.row_height() + layout.ball() + gap + layout.strip();
+    const int filled =
+        static_cast<int>(std::lround(std::clamp(fraction, 0.0, 1.0) * layout.cell_width));
+    for (int y = top; y < top + bar_height; ++y)
+        for (int x = 0; x < layout.cell_width; ++x) {
+            const auto& color = x < filled ? bar_fill : bar_track;
+            std::ranges::copy(color, picture.begin() + 3 * (y * picture_width + left + x));
+        }
+}
+
+// Rec.709 luminance (ITU-R BT.709-6, 3.2).
+double luminance(const Vec3d& rgb) { return dot(rgb, Vec3d(0.2126, 0.7152, 0.0722)); }
+
+/// exp of the mean of log luminance over the sphere; darkness counts as `darkest`.
+double logarithmic_mean(const Cubemap& cubemap, double darkest) {
+    const int size = cubemap.face_size;
+    const double sum = ordered_sum(size, [&](int y) {
+        double row = 0;
+        for (int x = 0; x < size; ++x) {
+            const double weight = solid_angle_of_texel(x, y, size);
+            for (int face = 0; face < face_count; ++face)
+                row += weight * std::log(std::max(luminance(cubemap.at(face, x, y)), darkest));
+        }
+        return row;
+    });
+    return std::exp(sum / (4 * std::numbers::pi));
+}
+
+}  // namespace
+
+double exposure_stops_of(const ContactSheet& sheet) {
+    const std::vector<Cell> cells = cells_of(sheet);
+    if (cells.empty()) return 0;
+    const double mean = luminance(mean_radiance(*cells.front().cubemap));
+    if (!(mean > 0)) return 0;
+    const double log_mean = logarithmic_mean(*cells.front().cubemap, 1e-4 * mean);
+    return std::log2(0.18 / std::sqrt(mean * log_mean));
+}
+
+Status write_contact_sheet(const ContactSheet& sheet, const std::filesystem::path& png) {
+    const std::vector<Cell> cells = cells_of(sheet);
+    if (cells.empty())
+        return Error{ErrorKind::bad_argument,
+                     "a contact sheet needs at least one level or the irradiance"};
+    const auto display = DisplayTransform::sdr();
+    if (!display) return display.error();
+
+    const Layout layout(static_cast<int>(cells.size()));
+    const auto exposure = static_cast<float>(std::exp2(exposure_stops_of(sheet)));
+    constexpr size_t row_size = 3 * size_t{picture_width};
+    std::vector<uint8_t> picture(row_size * static_cast<size_t>(layout.height()));
+    parallel_rows(layout.height(), [&](int y) {
+        average_samples(shown_samples(layout, cells, y, exposure, *display),
+                        std::span(picture).subspan(static_cast<size_t>(y) * row_size, row_size));
+    });
+    for (size_t i = 0; i < cells.size(); ++i)
+        if (cells[i].perceptual_roughness)
+            draw_bar(picture, layout, static_cast<int>(i), *cells[i].perceptual_roughness);
+    return write_png_rgb8(png, picture_width, layout.height(), picture);
+}
+
+}  // namespace splitsum
