@@ -60,6 +60,15 @@ Status measure(const BakedAssets& assets, const Environment& environment, const 
     return ok;
 }
 
+ContactSheet contact_sheet(const BakedAssets& assets, const BakeReport& report) {
+    ContactSheet sheet;
+    for (size_t level = 0; level < assets.specular.levels.size(); ++level)
+        sheet.levels.push_back({&assets.specular.levels[level],
+                                report.specular_facts.perceptual_roughness[level]});
+    sheet.irradiance = &assets.irradiance.levels[0];
+    return sheet;
+}
+
 Status write_assets(const BakedAssets& assets, const BakePlan& plan, BakeReport& report,
                     StagedFolder& folder) {
     const auto write = [&](const std::string& name, const std::string& what, Status written) {
@@ -81,7 +90,7 @@ Status write_assets(const BakedAssets& assets, const BakePlan& plan, BakeReport&
                                        folder.path() / "harmonics.json"));
     if (status && plan.picture)
         status = write("contact.png", "a picture of the levels, for people",
-                       write_contact_sheet({assets.specular.levels, assets.irradiance.levels[0]},
+                       write_contact_sheet(contact_sheet(assets, report),
                                            folder.path() / "contact.png"));
     return status;
 }

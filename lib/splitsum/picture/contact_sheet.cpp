@@ -21,6 +21,9 @@ constexpr int bar_height = 6;
 constexpr int largest_cell = 520;
 constexpr int samples_per_edge = 2;  ///< 2 x 2 samples a pixel, each shown before they are averaged
 
+// The display transform shows mid grey, 0.18, at a tenth of white: darker than people like pictures.
+constexpr double shown_mean = 0.25;
+
 constexpr std::array<uint8_t, 3> background = {30, 31, 34};
 constexpr std::array<uint8_t, 3> bar_track = {52, 54, 59};
 constexpr std::array<uint8_t, 3> bar_fill = {214, 160, 84};
@@ -86,14 +89,14 @@ std::optional<Place> place_at(const Layout& layout, double x, double y) {
     return Place{row * layout.columns + column, in_x, from_top - row * layout.row_height()};
 }
 
-// The viewer stands at +z and looks back, so that the ball mirrors the middle of the panorama; in
-// the left-handed world -x is then to the right.
+// The viewer stands at +z and looks back, so that the ball mirrors the middle of the panorama. Left
+// and right are then swapped: +x stays to the right, as on the strip below.
 std::optional<Vec3d> direction_on_ball(const Layout& layout, const Place& place, bool mirror) {
     const double radius = 0.5 * layout.ball();
     const double a = (place.x - radius) / radius, b = (radius - place.y) / radius;
     const double inside = 1 - a * a - b * b;
     if (inside < 0) return std::nullopt;
-    const Vec3d normal(-a, b, std::sqrt(inside));
+    const Vec3d normal(a, b, std::sqrt(inside));
     if (!mirror) return normal;
     const Vec3d to_viewer(0, 0, 1);
     return 2 * dot(normal, to_viewer) * normal - to_viewer;
@@ -192,7 +195,7 @@ double exposure_stops_of(const ContactSheet& sheet) {
     const double mean = luminance(mean_radiance(*cells.front().cubemap));
     if (!(mean > 0)) return 0;
     const double log_mean = logarithmic_mean(*cells.front().cubemap, 1e-4 * mean);
-    return std::log2(0.18 / std::sqrt(mean * log_mean));
+    return std::log2(shown_mean / std::sqrt(mean * log_mean));
 }
 
 Status write_contact_sheet(const ContactSheet& sheet, const std::filesystem::path& png) {

@@ -20,13 +20,13 @@ struct ContactSheet {
 
 /// The exposure in stops at which `sheet` is shown: it brings the geometric mean of the first
 /// cubemap's mean luminance and its logarithmic mean luminance (Reinhard et al. 2002, eq. 1) to
-/// mid grey, 0.18, so that neither a sun nor darkness decides alone. 0 for a black cubemap.
+/// 0.25, so that neither a sun nor darkness decides alone. 0 for a black cubemap.
 double exposure_stops_of(const ContactSheet& sheet);
 
 /// Writes a picture to look at, 1600 pixels wide: for each level, and last for the irradiance, a
 /// ball and the whole sphere as a lat-long strip. The ball of a level mirrors it, as a metal of
-/// that roughness would, and faces the middle of the panorama; that of the irradiance is white and
-/// matt. Below each level a bar tells its perceptual roughness. Shown through
+/// that roughness would, and faces the middle of the panorama, with left and right as on the strip;
+/// that of the irradiance is white and matt. Below each level a bar tells its perceptual roughness. Shown through
 /// DisplayTransform::sdr().
 ///
 /// Fails with bad_argument (nothing to show) and unwritable_output.

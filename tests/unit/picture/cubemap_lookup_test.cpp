@@ -1,0 +1,46 @@
+#include "splitsum/picture/cubemap_lookup.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace splitsum {
+namespace {
+
+Cubemap lopsided(int size) {
+    Cubemap cubemap(size);
+    for (int face = 0; face < face_count; ++face)
+        for (int y = 0; y < size; ++y)
+            for (int x = 0; x < size; ++x)
+                cubemap.at(face, x, y) =
+                    Vec3(direction_of_texel(face, x, y, size)) + Vec3(1, 1.5f, 2);
+    return cubemap;
+}
+
+TEST(CubemapLookup, ReturnsATexelAtItsCentre) {
+    for (const int size : {1, 2, 7}) {
+        const Cubemap cubemap = lopsided(size);
+        for (int face = 0; face < face_count; ++face)
+            for (int y = 0; y < size; ++y)
+                for (int x = 0; x < size; ++x) {
+                    const Vec3 found =
+                        bilinear_lookup(cubemap, direction_of_texel(face, x, y, size));
+                    EXPECT_LT(length(found - cubemap.at(face, x, y)), 1e-5f);
+                }
+    }
+}
+
+// The map holds its own directions, so that a lookup must return about what it was asked for; a
+// neighbour taken from the wrong face is off by up to 2.
+TEST(CubemapLookup, HasNoSeamAtEdgesAndCorners) {
+    const Cubemap cubemap = lopsided(32);
+    for (double a = -1.5; a <= 1.5; a += 0.01)
+        for (double b = -1.5; b <= 1.5; b += 0.0625) {
+            const Vec3d direction = normalize(Vec3d(a, b, 1));
+            const Vec3 found = bilinear_lookup(cubemap, direction) - Vec3(1, 1.5f, 2);
+            EXPECT_LT(length(found - Vec3(direction)), 0.04f) << a << " " << b;
+        }
+}
+
+}  // namespace
+}  // namespace splitsum
