@@ -47,6 +47,7 @@ Result<DisplayTransform> DisplayTransform::sdr() {
 }
 
 void DisplayTransform::apply(std::span<float> rgb) const {
+    if (rgb.empty()) return;
     ocio::PackedImageDesc pixels(rgb.data(), static_cast<long>(rgb.size() / 3), 1, 3);
     state_->processor->apply(pixels);
     for (float& value : rgb) value = std::clamp(value, 0.0f, 1.0f);

@@ -5,6 +5,7 @@
 #include "splitsum/base/text.h"
 #include "splitsum/filter/reference.h"
 #include "splitsum/filter/sampled.h"
+#include "splitsum/filter/spectral.h"
 
 namespace splitsum {
 namespace {
@@ -25,6 +26,8 @@ std::span<const FilterMethod> filter_methods() {
          true, true, prepare_importance},
         {"filtered", "the same points, each read from a prefiltered pyramid; lobes grow a little",
          true, true, prepare_filtered},
+        {"spectral", "product with the lobe's band factors in spherical-harmonic space; exact", true,
+         true, prepare_spectral},
     };
     return methods;
 }

@@ -61,14 +61,12 @@ struct Layout {
     int height() const { return gap + rows * row_height(); }
 
 private:
-    // Full rows look best: of 3, 4 and 5 columns the one that leaves the fewest holes.
+    // Full rows look best: of 4 and 5 columns the one that leaves fewer holes.
     static int columns_for(int cells) {
         if (cells <= 5) return cells;
-        int best = 4;
-        const auto holes = [&](int columns) { return (columns - cells % columns) % columns; };
-        for (const int columns : {5, 3})
-            if (holes(columns) < holes(best)) best = columns;
-        return best;
+        if (cells == 6) return 3;
+        const auto holes = [&](int count) { return (count - cells % count) % count; };
+        return holes(5) < holes(4) ? 5 : 4;
     }
 };
 
@@ -125,24 +123,33 @@ std::optional<Vec3> light_at(const Layout& layout, const std::vector<Cell>& cell
     return bilinear_lookup(*cell.cubemap, *direction);
 }
 
+/// Encodes the light of the lit samples for the display; the others are background.
+std::vector<float> shown(const std::vector<std::optional<Vec3>>& light, float exposure,
+                         const DisplayTransform& display) {
+    std::vector<float> lit;
+    for (const auto& sample : light)
+        if (sample)
+            for (int c = 0; c < 3; ++c) lit.push_back(exposure * (*sample)[c]);
+    display.apply(lit);
+    std::vector<float> rgb;
+    rgb.reserve(3 * light.size());
+    auto next = lit.begin();
+    for (const auto& sample : light)
+        for (const uint8_t value : background)
+            rgb.push_back(sample ? *next++ : static_cast<float>(value) / 255);
+    return rgb;
+}
+
 /// The samples of one pixel row, shown on the display: 3 values each in [0, 1].
 std::vector<float> shown_samples(const Layout& layout, const std::vector<Cell>& cells, int y,
                                  float exposure, const DisplayTransform& display) {
     constexpr int n = samples_per_edge;
-    std::vector<float> rgb;
-    std::vector<bool> lit;
+    std::vector<std::optional<Vec3>> light;
+    light.reserve(n * n * picture_width);
     for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n * picture_width; ++i) {
-            const auto light = light_at(layout, cells, (i + 0.5) / n, y + (j + 0.5) / n);
-            const Vec3 shown = light ? exposure * *light : Vec3(0);
-            rgb.insert(rgb.end(), {shown.x, shown.y, shown.z});
-            lit.push_back(light.has_value());
-        }
-    display.apply(rgb);
-    for (size_t i = 0; i < lit.size(); ++i)
-        for (size_t c = 0; c < 3 && !lit[i]; ++c)
-            rgb[3 * i + c] = static_cast<float>(background[c]) / 255;
-    return rgb;
+        for (int i = 0; i < n * picture_width; ++i)
+            light.push_back(light_at(layout, cells, (i + 0.5) / n, y + (j + 0.5) / n));
+    return shown(light, exposure, display);
 }
 
 void average_samples(const std::vector<float>& samples, std::span<uint8_t> row) {

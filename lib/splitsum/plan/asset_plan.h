@@ -15,6 +15,7 @@ namespace splitsum {
 struct FilterPlan {
     std::string method = "filtered";  ///< a name from filter_methods()
     int samples = 1024;               ///< directions per texel; ignored by `reference`
+    double accuracy = 3e-4;           ///< rel_rms that `spectral` may miss by
     bool rotate_samples = false;      ///< turn the sample set by an angle hashed from the texel
     uint32_t seed = 0;                ///< of that hash; change it to see the noise
 };

@@ -43,6 +43,12 @@ TEST(Display, ShowsMidGreyAtATenthOfWhite) {
     EXPECT_NEAR(std::pow((encoded + 0.055) / 1.055, 2.4), 0.1, 0.005);
 }
 
+TEST(Display, TakesNothing) {
+    const auto display = DisplayTransform::sdr();
+    ASSERT_TRUE(display);
+    display->apply({});
+}
+
 TEST(Display, KeepsChannelsInOrder) {
     const auto rgb = shown(0.8f, 0.2f, 0.05f);
     EXPECT_GT(rgb[0], rgb[1] + 0.1f);

@@ -164,6 +164,13 @@ TEST(ReadPanorama, DecodesSrgb) {
     EXPECT_NEAR(panorama->pixels.rgb[3], 0.2159f, 1e-4f);
 }
 
+// OpenImageIO says Rec709 for every file of the PNM family.
+TEST(ReadPanorama, TakesFloatMapsAsLinear) {
+    const auto panorama = read("reading/float.pfm");
+    ASSERT_TRUE(panorama);
+    EXPECT_EQ(panorama->pixels.rgb, read("reading/float.exr")->pixels.rgb);
+}
+
 TEST(ReadPanorama, NotesIntegersOfUnknownSpace) {
     const auto panorama = read("reading/uint16.tif");
     ASSERT_TRUE(panorama);

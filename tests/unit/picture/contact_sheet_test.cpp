@@ -91,7 +91,7 @@ TEST(ContactSheet, ShowsDirectionsWhereTheyBelong) {
 
 TEST(ContactSheet, HoldsAnyNumberOfCells) {
     const Cubemap map = lopsided(2);
-    for (size_t levels = 0; levels <= 12; ++levels) {
+    for (const size_t levels : {0, 1, 5, 7, 8, 12}) {
         const ContactSheet sheet{std::vector(levels, ContactSheet::Level{&map, 1}), &map};
         const Image picture = read(picture_of(sheet, "many.png"));
         EXPECT_EQ(picture.width, 1600);

@@ -42,5 +42,21 @@ TEST(CubemapLookup, HasNoSeamAtEdgesAndCorners) {
         }
 }
 
+// Clamping at the edge of a face instead makes a step of half a texel's difference, 0.1 here.
+TEST(CubemapLookup, IsContinuousAcrossEveryEdge) {
+    const Cubemap cubemap = lopsided(4);
+    const auto step = [&](const Vec3d& edge, const Vec3d& across) {
+        return length(bilinear_lookup(cubemap, edge + 1e-6 * across) -
+                      bilinear_lookup(cubemap, edge - 1e-6 * across));
+    };
+    for (const double a : {-1.0, 1.0})
+        for (const double b : {-1.0, 1.0})
+            for (double c = -0.7; c <= 0.7; c += 0.1) {
+                EXPECT_LT(step({a, b, c}, {1, 0, 0}), 1e-4f);
+                EXPECT_LT(step({a, c, b}, {1, 0, 0}), 1e-4f);
+                EXPECT_LT(step({c, a, b}, {0, 1, 0}), 1e-4f);
+            }
+}
+
 }  // namespace
 }  // namespace splitsum

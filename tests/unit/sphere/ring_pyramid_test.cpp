@@ -31,7 +31,8 @@ TEST(RingPyramid, LookupsAreSmoothAcrossSeamAndPoles) {
     const Environment slope = tests::environment_of(64, [](const Vec3d& d) {
         return Vec3(2 + d.x, 2 + d.y, 2 + d.z);
     });
-    const RingLevel& level = ring_pyramid(slope).levels[2];
+    const RingPyramid pyramid = ring_pyramid(slope);
+    const RingLevel& level = pyramid.levels[2];
     for (int i = 0; i < 500; ++i) {
         const double along = i / 500.0;
         const Vec3d seam = direction_of_lat_long(along < 0.5 ? 0.001 * along : 1 - 0.001 * (1 - along),

@@ -1,0 +1,81 @@
+// The whole specular chain as the tools make it by default: 256 x 256, 7 levels, linear, from
+// 1024 x 512 texels that are in memory. The error is that of the worst level beyond the mirror
+// image; `reference` is left out, which judges the others and takes a minute.
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "counters.h"
+#include "splitsum/base/parallel.h"
+#include "splitsum/base/text.h"
+#include "splitsum/filter/asset_levels.h"
+#include "splitsum/filter/methods.h"
+#include "splitsum/verify/check_levels.h"
+#include "support/skies.h"
+
+namespace splitsum::benchmarks {
+namespace {
+
+constexpr int environment_height = 512;
+
+const Environment& environment_of(const tests::NamedSky& sky) {
+    static std::map<std::string_view, Environment> made;
+    const auto found = made.find(sky.name);
+    if (found != made.end()) return found->second;
+    return made.emplace(sky.name, sky.make(environment_height)).first->second;
+}
+
+LevelsPlan plan_of(const FilterMethod& method) {
+    LevelsPlan plan;
+    plan.specular = SpecularPlan{};
+    plan.filter.method = method.name;
+    return plan;
+}
+
+void show_errors(benchmark::State& state, const std::vector<Cubemap>& levels,
+                 const LevelsPlan& plan, const Environment& environment) {
+    NoProgress progress;
+    const auto roughness = roughness_of_levels(plan.specular->roughness, plan.specular->levels);
+    const auto checks = check_specular(levels, roughness, {environment, Mat3d(1)}, progress);
+    const auto worst = std::max_element(checks->begin() + 1, checks->end(),
+                                        [](const LevelCheck& a, const LevelCheck& b) {
+                                            return a.figures.rel_rms < b.figures.rel_rms;
+                                        });
+    show(state, worst->figures);
+    state.counters["worst_level"] = worst->level;
+    state.counters["mirror_rel_rms"] = checks->front().figures.rel_rms;
+}
+
+void filter_chain(benchmark::State& state, const tests::NamedSky& sky, const FilterMethod& method,
+                  int threads) {
+    const Environment& environment = environment_of(sky);
+    const LevelsPlan plan = plan_of(method);
+    NoProgress progress;
+    std::vector<Cubemap> levels;
+    {
+        const ThreadLimit limit(threads);
+        for (auto _ : state) levels = filter_levels(environment, plan, progress)->specular;
+    }
+    show_errors(state, levels, plan, environment);
+}
+
+const bool registered = [] {
+    for (const tests::NamedSky& sky : tests::skies())
+        for (const FilterMethod& method : filter_methods()) {
+            if (!method.filters_ggx || method.name == "reference") continue;
+            for (const int threads : {1, 0})
+                benchmark::RegisterBenchmark(
+                    cat(sky.name, "/", method.name, "/threads:", threads == 0 ? "all" : "1")
+                        .c_str(),
+                    filter_chain, sky, method, threads)
+                    ->Unit(benchmark::kMillisecond)
+                    ->UseRealTime();
+        }
+    return true;
+}();
+
+}  // namespace
+}  // namespace splitsum::benchmarks

@@ -1,0 +1,91 @@
+// The split-sum table of each geometry term beside the scalar loop it is usually baked with, each
+// with its largest error against nested quadrature at texels spread over the table.
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <vector>
+
+#include "counters.h"
+#include "scalar_split_sum.h"
+#include "splitsum/base/parallel.h"
+#include "splitsum/base/text.h"
+#include "splitsum/math/low_discrepancy.h"
+#include "splitsum/table/split_sum.h"
+#include "splitsum/table/split_sum_exact.h"
+
+namespace splitsum::benchmarks {
+namespace {
+
+constexpr int table_size = 128;
+constexpr int samples = 1024;
+constexpr int probe_count = 256;
+
+// Texels spread over the table, the corners among them.
+std::vector<int> probes(int size) {
+    std::vector<int> texels = {0, size - 1, size * (size - 1), size * size - 1};
+    for (int i = 0; i < probe_count; ++i) {
+        const Vec2d point = hammersley(uint32_t(i), probe_count);
+        texels.push_back(int(point.y * size) * size + int(point.x * size));
+    }
+    return texels;
+}
+
+double max_abs(const Table& table, SmithTerm term) {
+    const std::vector<int> texels = probes(table.width);
+    std::vector<double> differences(texels.size());
+    parallel_rows(int(texels.size()), [&](int i) {
+        const int texel = texels[size_t(i)];
+        const double r = (texel / table.width + 0.5) / table.height;
+        const SplitSum exact =
+            split_sum_exact(term, (texel % table.width + 0.5) / table.width, r * r);
+        const Vec2 found = table.texels[size_t(texel)];
+        differences[size_t(i)] =
+            std::max(std::abs(double(found.x) - exact.a), std::abs(double(found.y) - exact.b));
+    });
+    return *std::max_element(differences.begin(), differences.end());
+}
+
+void show_table(benchmark::State& state, const Table& table, SmithTerm term) {
+    state.counters["max_abs"] = max_abs(table, term);
+    show_rate(state, "texels/s", double(table.texels.size()));
+}
+
+void library_table(benchmark::State& state, SmithTerm term, int size, int threads) {
+    NoProgress progress;
+    Table table;
+    {
+        const ThreadLimit limit(threads);
+        for (auto _ : state) table = *split_sum_table({size, samples, term}, progress);
+    }
+    show_table(state, table, term);
+}
+
+void scalar_table(benchmark::State& state, SmithTerm term, int size) {
+    Table table;
+    for (auto _ : state) table = scalar_split_sum_table(term, size, samples);
+    show_table(state, table, term);
+}
+
+template <class... Arguments>
+void register_case(const std::string& name, const Arguments&... arguments) {
+    benchmark::RegisterBenchmark(name.c_str(), arguments...)
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime();
+}
+
+const bool registered = [] {
+    for (const SmithTermInfo& info : smith_terms()) {
+        const std::string at = cat(info.name, "/", table_size, "/");
+        register_case(cat(at, "scalar"), scalar_table, info.term, table_size);
+        register_case(cat(at, "library/threads:1"), library_table, info.term, table_size, 1);
+        register_case(cat(at, "library/threads:all"), library_table, info.term, table_size, 0);
+        register_case(cat(info.name, "/512/library/threads:all"), library_table, info.term, 512, 0);
+    }
+    return true;
+}();
+
+}  // namespace
+}  // namespace splitsum::benchmarks
