@@ -1,4 +1,5 @@
 #include <benchmark/benchmark.h>
+#include <unistd.h>
 
 namespace {
 
@@ -6,6 +7,8 @@ namespace {
 // Benchmark prints such errors and exits with 0 all the same.
 class StrictReporter final : public benchmark::ConsoleReporter {
 public:
+    StrictReporter() : ConsoleReporter(isatty(STDOUT_FILENO) ? OO_ColorTabular : OO_Tabular) {}
+
     void ReportRuns(const std::vector<Run>& runs) override {
         for (const Run& run : runs) failed_ = failed_ || run.error_occurred;
         ConsoleReporter::ReportRuns(runs);

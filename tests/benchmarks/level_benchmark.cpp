@@ -25,7 +25,7 @@ struct LevelCase {
     tests::NamedSky sky;
     FilterMethod method;
     Lobe lobe;
-    int samples;
+    int samples;  ///< 1 for a method that ignores it
 };
 
 // Skies are made when they are first asked for, and once.
@@ -66,7 +66,7 @@ void filter_level(benchmark::State& state, const LevelCase& c) {
     state.counters["prepare_ms"] = preparing.count();
     const double texels = double(level.texels.size());
     show_rate(state, "texels/s", texels);
-    if (c.samples > 1) show_rate(state, "samples/s", texels * c.samples);
+    show_rate(state, "samples/s", c.samples > 1 ? texels * c.samples : 0);
 }
 
 // Whether the number of samples makes a difference to the method's result; exact methods ignore it.

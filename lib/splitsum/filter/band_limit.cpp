@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "splitsum/brdf/band_factors.h"
+
 namespace splitsum {
 namespace {
 
@@ -10,8 +12,25 @@ double square(double x) { return x * x; }
 
 }  // namespace
 
+std::vector<double> significant_factors(const Lobe& lobe, double smallest, int most) {
+    for (int count = 64;; count *= 2) {
+        std::vector<double> factors = band_factors(lobe, std::min(count, most) + 1);
+        // The clamped cosine has no odd bands: two in a row tell that it is over.
+        size_t needed = factors.size();
+        while (needed > 1 && std::abs(factors[needed - 1]) <= smallest) --needed;
+        if (needed + 2 <= factors.size() || count >= most) {
+            factors.resize(std::min(factors.size(), needed + 2));
+            return factors;
+        }
+    }
+}
+
+double negligible_factor(double total_power, double mean_power, double accuracy) {
+    return mean_power > 0 ? accuracy * std::sqrt(mean_power / total_power) : 1;
+}
+
 BandLimit band_limit(const Spectrum& spectrum, std::span<const double> factors, double accuracy) {
-    const size_t bands = size_t(spectrum.bands());
+    const size_t bands = std::min(size_t(spectrum.bands()), factors.size() - 1);
     double kept_power = 0, inside = 0;
     for (size_t l = 0; l < bands; ++l) {
         kept_power += square(factors[l]) * spectrum.power(int(l));
@@ -19,8 +38,10 @@ BandLimit band_limit(const Spectrum& spectrum, std::span<const double> factors, 
     }
     if (kept_power == 0) return {1, 0};  // black
     // From the highest band down, as long as what is left out stays under the limit.
-    const double beyond = std::max(0.0, spectrum.total_power() - inside);
-    double left_out = square(factors[bands]) * beyond;
+    double largest_beyond = 0;
+    for (size_t l = bands; l < factors.size(); ++l)
+        largest_beyond = std::max(largest_beyond, std::abs(factors[l]));
+    double left_out = square(largest_beyond) * std::max(0.0, spectrum.total_power() - inside);
     size_t limit = bands;
     while (limit > 1) {
         const double more = left_out + square(factors[limit - 1]) * spectrum.power(int(limit) - 1);
@@ -29,15 +50,6 @@ BandLimit band_limit(const Spectrum& spectrum, std::span<const double> factors, 
         --limit;
     }
     return {int(limit), std::sqrt(left_out / kept_power)};
-}
-
-int bands_needed(std::span<const double> factors, double total_power, double mean_power,
-                 double accuracy) {
-    if (mean_power == 0) return 1;
-    const double largest = accuracy * std::sqrt(mean_power / total_power);
-    size_t bands = factors.size();
-    while (bands > 1 && std::abs(factors[bands - 1]) <= largest) --bands;
-    return int(bands);
 }
 
 }  // namespace splitsum

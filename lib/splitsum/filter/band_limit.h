@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "splitsum/brdf/lobe.h"
 #include "splitsum/filter/spectrum.h"
 
 namespace splitsum {
@@ -14,15 +15,17 @@ struct BandLimit {
     double truncation_bound = 0;
 };
 
-/// The smallest number of bands whose truncation bound is at most `accuracy`, or all that the
-/// spectrum has if none is. `factors` are the lobe's band factors, at least as many as
-/// spectrum.bands() and one more, which bounds those that follow: |k_l| must not grow from there on.
-BandLimit band_limit(const Spectrum& spectrum, std::span<const double> factors, double accuracy);
+/// The factors of as many bands as it takes until all that follow are at most `smallest`, or of
+/// `most` bands if that is not enough. Those that follow are taken to be no larger than the last
+/// one, which holds from a few bands on for lobes that fall off steadily. Cost: O(bands²).
+std::vector<double> significant_factors(const Lobe& lobe, double smallest, int most);
 
-/// How many bands a spectrum must have so that band_limit can succeed for a lobe with these factors
-/// on any environment of that mean square and square mean (of ∫ L² dl and 4 pi mean²), before any
-/// of it is transformed; factors.size() if those are too few.
-int bands_needed(std::span<const double> factors, double total_power, double mean_power,
-                 double accuracy);
+/// The size below which a factor cannot matter to an environment with these powers (∫ L² dl and
+/// 4 pi mean²): leaving out all bands with smaller factors costs at most `accuracy`.
+double negligible_factor(double total_power, double mean_power, double accuracy);
+
+/// The smallest number of bands whose truncation bound is at most `accuracy`, or as many as spectrum
+/// and factors have if none is. The last factor is not used as such: it bounds all that follow.
+BandLimit band_limit(const Spectrum& spectrum, std::span<const double> factors, double accuracy);
 
 }  // namespace splitsum

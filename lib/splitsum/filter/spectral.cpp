@@ -5,7 +5,6 @@
 #include <numbers>
 #include <vector>
 
-#include "splitsum/brdf/band_factors.h"
 #include "splitsum/filter/band_limit.h"
 #include "splitsum/filter/spectrum.h"
 #include "splitsum/filter/synthesis.h"
@@ -61,13 +60,14 @@ std::unique_ptr<PreparedFilter> prepare_spectral(const Environment& environment,
                                                  const FilterPlan& plan) {
     const double accuracy = truncation_share * plan.accuracy;
     const Powers powers = powers_of(environment);
+    const double negligible = negligible_factor(powers.total, powers.mean, accuracy);
     std::vector<std::vector<double>> factors;
-    int bands = 1;
+    size_t bands = 1;
     for (const Lobe& lobe : lobes) {
-        factors.push_back(band_factors(lobe, most_bands + 1));
-        bands = std::max(bands, bands_needed(factors.back(), powers.total, powers.mean, accuracy));
+        factors.push_back(significant_factors(lobe, negligible, most_bands));
+        bands = std::max(bands, factors.back().size() - 1);
     }
-    const Spectrum spectrum = forward_transform(environment, std::min(bands, most_bands));
+    const Spectrum spectrum = forward_transform(environment, int(bands));
     std::vector<SphereGrid> grids;
     for (const std::vector<double>& k : factors) {
         const BandLimit limit = band_limit(spectrum, k, accuracy);

@@ -27,22 +27,22 @@ TEST(RingPyramid, LevelsAreHalfAnOctaveApart) {
 }
 
 // A linear function is what bilinear interpolation reproduces: no jump at the seam or the poles.
+// The rings at the poles have four texels, between which a cosine is off by up to 1e-2.
 TEST(RingPyramid, LookupsAreSmoothAcrossSeamAndPoles) {
-    const Environment slope = tests::environment_of(64, [](const Vec3d& d) {
-        return Vec3(2 + d.x, 2 + d.y, 2 + d.z);
-    });
+    const Environment slope =
+        tests::environment_of(64, [](const Vec3d& d) { return Vec3(2 + d.x, 2 + d.y, 2 + d.z); });
     const RingPyramid pyramid = ring_pyramid(slope);
     const RingLevel& level = pyramid.levels[2];
     for (int i = 0; i < 500; ++i) {
         const double along = i / 500.0;
-        const Vec3d seam = direction_of_lat_long(along < 0.5 ? 0.001 * along : 1 - 0.001 * (1 - along),
-                                                 0.1 + 0.8 * along);
+        const Vec3d seam = direction_of_lat_long(
+            along < 0.5 ? 0.001 * along : 1 - 0.001 * (1 - along), 0.1 + 0.8 * along);
         const Vec3d pole = normalize(Vec3d(0.2 * (along - 0.5), i % 2 ? 1 : -1, 0.003));
         for (const Vec3d& d : {seam, pole}) {
             const Vec3 seen = radiance_towards(level, d);
-            ASSERT_NEAR(seen.x, 2 + d.x, 6e-3) << d.x << " " << d.y << " " << d.z;
-            ASSERT_NEAR(seen.y, 2 + d.y, 6e-3) << d.x << " " << d.y << " " << d.z;
-            ASSERT_NEAR(seen.z, 2 + d.z, 6e-3) << d.x << " " << d.y << " " << d.z;
+            ASSERT_NEAR(seen.x, 2 + d.x, 1.2e-2) << d.x << " " << d.y << " " << d.z;
+            ASSERT_NEAR(seen.y, 2 + d.y, 1.2e-2) << d.x << " " << d.y << " " << d.z;
+            ASSERT_NEAR(seen.z, 2 + d.z, 1.2e-2) << d.x << " " << d.y << " " << d.z;
         }
     }
 }
