@@ -26,15 +26,18 @@ void add_whole(CLI::App& app, const std::string& name, Integer& value, int64_t l
 }
 
 CLI::Option* add_number(CLI::App& app, const std::string& name, double& value, double limit,
-                        const std::string& unit, const std::string& text) {
-    return app.add_option(name, value, with_default(text, value))
+                        const std::string& unit, const std::string& text,
+                        const std::string& fallback) {
+    return app.add_option(name, value, with_default(text, fallback.empty() ? cat(value) : fallback))
         ->option_text(unit)
         ->check(finite_number(-limit, limit));
 }
 
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& value,
-                        const std::vector<Choice>& choices, const std::string& text) {
-    return app.add_option(name, value, cat(with_default(text, value), "\n", help_of(choices)))
+                        const std::vector<Choice>& choices, const std::string& text,
+                        const std::string& fallback = "") {
+    const std::string described = with_default(text, fallback.empty() ? value : fallback);
+    return app.add_option(name, value, cat(described, "\n", help_of(choices)))
         ->option_text("NAME")
         ->check(one_of(choices));
 }
@@ -48,7 +51,7 @@ std::vector<Choice> formats_with(int channels) {
 
 }  // namespace
 
-ReadingOptions::ReadingOptions(CLI::App& app) {
+ReadingOptions::ReadingOptions(CLI::App& app, const std::string& fallback) {
     app.add_option("--colorspace", plan_.color_space,
                    "colour space of the file (default: what the file says, else scene-linear "
                    "Rec.709)")
@@ -59,10 +62,10 @@ ReadingOptions::ReadingOptions(CLI::App& app) {
         ->option_text("FILE")
         ->envname("OCIO");
     exposure_ = add_number(app, "--exposure", plan_.exposure_stops, 64, "STOPS",
-                           "multiply radiance by 2^STOPS, -64 to 64");
+                           "multiply radiance by 2^STOPS, -64 to 64", fallback);
     app.add_flag("--repair", plan_.repair,
-                 "replace NaN and Inf from neighbours and negative values by 0, and count them "
-                 "(default: refuse the file)");
+                 "replace NaN and Inf by their neighbours' mean and negative values by 0, and count "
+                 "them (default: refuse the file)");
 }
 
 PanoramaOptions ReadingOptions::plan() const {
@@ -78,13 +81,13 @@ InputOptions::InputOptions(CLI::App& app, Count count) : reading_(app) {
     if (count == Count::one) inputs->expected(1);
 }
 
-OrientationOptions::OrientationOptions(CLI::App& app) {
+OrientationOptions::OrientationOptions(CLI::App& app, const std::string& fallback) {
     options_ = {add_number(app, "--rotate", plan.rotate_degrees, 36000, "DEGREES",
-                           "turn the panorama about +y, its middle towards +X"),
+                           "turn the panorama about +y, its middle towards +X", fallback),
                 app.add_flag("--mirror", plan.mirror,
                              "swap left and right of the panorama, before it is turned"),
                 add_choice(app, "--convention", plan.convention, choices_of(conventions()),
-                           "how the panorama is laid around the cube")};
+                           "how the panorama is laid around the cube", fallback)};
 }
 
 bool OrientationOptions::given() const {
@@ -94,19 +97,18 @@ bool OrientationOptions::given() const {
 FilterOptions::FilterOptions(CLI::App& app, const std::vector<Choice>& methods) {
     add_choice(app, "--method", plan.method, methods, "how light is integrated");
     add_whole(app, "--samples", plan.samples, 1, most_samples, "COUNT",
-              "directions per texel of the sampling methods");
+              "directions per texel, for methods that sample");
     app.add_flag("--rotate-samples", plan.rotate_samples,
-                 "turn the directions by an angle of its own at each texel: noise instead of "
-                 "patterns");
+                 "turn the directions by a different angle at each texel: noise instead of patterns");
     add_whole(app, "--seed", plan.seed, 0, std::numeric_limits<uint32_t>::max(), "NUMBER",
-              "of these angles");
+              "chooses the angles of --rotate-samples");
 }
 
 SpecularOptions::SpecularOptions(CLI::App& app) {
     add_whole(app, "--size", plan_.face_size, 1, largest_size, "TEXELS",
               "texels along an edge of level 0");
     add_whole(app, "--levels", plan_.levels, 1, 14, "COUNT",
-              "mip levels, at most down to one texel");
+              "mip levels, at most down to faces of one texel");
     app.add_option(
            "--roughness", roughness_,
            with_default("perceptual roughness of the levels: linear (level / (levels - 1)), "
@@ -130,9 +132,9 @@ IrradianceOptions::IrradianceOptions(CLI::App& app, const std::string& prefix) {
     add_whole(app, cat("--", prefix, "size"), plan.face_size, 1, largest_size, "TEXELS",
               "texels along an edge of the irradiance cubemap");
     add_whole(app, cat("--", prefix, "order"), plan.harmonics_order, 0, 128, "BAND",
-              "highest band of the harmonics; order 2 has 9 coefficients");
+              "order of the harmonics (order 2 has 9 coefficients)");
     app.add_flag(cat("--", prefix, "window"), plan.windowed,
-                 "scale the bands down so that a sun rings less (Sloan 2008)");
+                 "damp the higher bands until no direction is negative under a sun (Sloan 2008)");
     app.add_flag(cat("--", prefix, "store-e"), plan.store_irradiance,
                  "store E itself instead of E / pi");
 }
@@ -142,7 +144,7 @@ TableOptions::TableOptions(CLI::App& app, const std::string& prefix)
     add_whole(app, cat("--", prefix, "size"), plan_.size, 1, largest_size, "TEXELS",
               "texels along an edge of the table");
     add_whole(app, cat("--", prefix, "samples"), plan_.samples, 1, most_samples, "COUNT",
-              "points per texel");
+              "sample points per texel");
     add_choice(app, cat("--", prefix, "geometry"), geometry_, choices_of(smith_terms()),
                "shadowing and masking of the microfacets");
 }
@@ -165,7 +167,7 @@ EncodingOptions::EncodingOptions(CLI::App& app, int channels, const std::string&
     auto* zstd = app.add_flag(cat("--", prefix, "zstd"), container_.ktx2.zstd,
                               "supercompress a .ktx2 file with Zstandard");
     app.add_option(cat("--", prefix, "zstd-level"), container_.ktx2.zstd_level,
-                   with_default("1 (fastest) to 22 (smallest)", container_.ktx2.zstd_level))
+                   with_default("with --zstd, 1 (fastest) to 22 (smallest)", container_.ktx2.zstd_level))
         ->option_text("LEVEL")
         ->check(whole_number(1, 22))
         ->needs(zstd);
@@ -175,7 +177,7 @@ PixelFormat EncodingOptions::format() const { return find_pixel_format(format_)-
 
 OutputOptions::OutputOptions(CLI::App& app, const std::string& placeholder,
                              const std::string& text) {
-    app.add_option("-o,--output", path_, text)
+    app.add_option("-o,--output", path_, text + " (required)")
         ->option_text(placeholder)
         ->required()
         ->check(not_empty());

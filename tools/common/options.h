@@ -20,9 +20,10 @@
 
 namespace splitsum::tools {
 
-/// How panoramas are read: --colorspace, --ocio-config, --exposure, --repair.
+/// How panoramas are read: --colorspace, --ocio-config, --exposure, --repair. `fallback` is what
+/// --help names as the default of --exposure where that is not 0.
 struct ReadingOptions {
-    explicit ReadingOptions(CLI::App& app);
+    explicit ReadingOptions(CLI::App& app, const std::string& fallback = "");
     ReadingOptions(const ReadingOptions&) = delete;
 
     PanoramaOptions plan() const;
@@ -50,9 +51,9 @@ private:
     ReadingOptions reading_;
 };
 
-/// --rotate, --mirror, --convention.
+/// --rotate, --mirror, --convention; `fallback` as above.
 struct OrientationOptions {
-    explicit OrientationOptions(CLI::App& app);
+    explicit OrientationOptions(CLI::App& app, const std::string& fallback = "");
     OrientationOptions(const OrientationOptions&) = delete;
 
     Orientation plan;

@@ -28,15 +28,13 @@ Result<Light> load_light(const InputOptions& input, Progress& progress) {
 }
 
 CubemapOutputOptions::CubemapOutputOptions(CLI::App& app, const std::string& what) {
-    const auto ending = [](const Container& container) { return container.extension; };
-    app.add_option("-o,--output", path_,
-                   cat(what, ", by its ending: ", join(containers(), ", ", ending)))
+    app.add_option("-o,--output", path_, cat(what, " as ", container_endings(), " (required)"))
         ->option_text("FILE")
         ->required()
         ->check(not_empty());
     app.add_option("--probes", probes_,
-                   "texels a level that are measured against exact integration (default 64), 0 for "
-                   "no measurement")
+                   "texels per level whose error against exact integration is measured, 0 for none "
+                   "(default 64)")
         ->option_text("COUNT")
         ->check(whole_number(0, 1 << 24));
     app.add_flag("--json", json_, "print the figures as JSON");

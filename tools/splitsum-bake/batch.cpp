@@ -8,7 +8,7 @@
 
 #include "light/cubemap_tool.h"
 #include "splitsum/assets/table_asset.h"
-#include "splitsum/base/atomic_file.h"
+#include "splitsum/base/staged_folder.h"
 #include "splitsum/base/text.h"
 
 namespace splitsum::tools {
@@ -139,10 +139,10 @@ BatchOptions::BatchOptions(CLI::App& app)
       encoding(app, 3),
       json(app) {
     app.add_option("--probes", probes,
-                   "texels a level that are measured against exact integration (default 64)")
+                   "texels per level whose error against exact integration is measured (default 64)")
         ->option_text("COUNT")
         ->check(whole_number(1, 1 << 24));
-    app.add_flag("--no-picture", no_picture, "do not write contact.png");
+    app.add_flag("--no-picture", no_picture, "do not write the picture contact.png");
 }
 
 Result<BakePlan> BatchOptions::plan() const {
@@ -160,6 +160,8 @@ Result<ExitCode> run_batch(const BatchOptions& options, Progress& progress) {
     const std::vector<std::string>& panoramas = options.input.panoramas;
     if (const Status distinct = check_names(panoramas); !distinct) return distinct.error();
     const fs::path folder = options.output.path();
+    // Asked before the work; what was made for the question goes again.
+    if (const auto possible = StagedFolder::create(folder); !possible) return possible.error();
 
     Results results(options.json.json);
     std::optional<BakedTable> table;

@@ -5,7 +5,8 @@
 
 int main(int argc, char** argv) {
     using namespace splitsum;
-    CLI::App app("Bakes everything a renderer needs from panoramas: the main job.",
+    CLI::App app("Bakes the image-based lighting of panoramas: reflections, diffuse light, the split-sum table\n"
+        "and a report of measured errors.",
                  "splitsum-bake");
     app.footer(
         "Makes DIR/<panorama>/{specular.ktx2, irradiance.ktx2, harmonics.json, contact.png,\n"

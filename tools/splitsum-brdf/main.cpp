@@ -7,7 +7,7 @@
 #include "common/options.h"
 #include "common/run_tool.h"
 #include "splitsum/assets/table_asset.h"
-#include "splitsum/base/text.h"
+#include "splitsum/base/atomic_file.h"
 #include "splitsum/container/containers.h"
 
 namespace splitsum {
@@ -36,14 +36,13 @@ int main(int argc, char** argv) {
     app.footer("Example: splitsum-brdf -o brdf.ktx2 --size 256");
     const tools::TableOptions table(app);
     const tools::EncodingOptions encoding(app, 2);
-    const tools::OutputOptions output(app, "FILE", "the table: " + join(containers(), " or ", [](const Container& container) {
-                         return container.extension;
-                     }));
+    const tools::OutputOptions output(app, "FILE", "the table as " + tools::container_endings());
     const tools::JsonOption json(app);
 
     return tools::run_tool(app, argc, argv, [&](Progress& progress) -> Status {
         const auto container = container_of(output.path());  // before the work, not after it
         if (!container) return container.error();
+        if (const Status possible = check_writable(output.path()); !possible) return possible;
         const auto asset = bake_table(table.plan(), encoding.format(), progress);
         if (!asset) return asset.error();
         const Status written =

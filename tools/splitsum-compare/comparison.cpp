@@ -17,6 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char* what_the_asset_says = "what the asset says";
+
 struct Comparison {
     std::vector<LevelCheck> levels;
     std::vector<std::string> notes;
@@ -32,7 +34,7 @@ Result<AssetFacts> facts_with_options(const AssetFile& file, const CompareOption
     AssetFacts facts = file.facts.value_or(AssetFacts{});
     if (options.kind == "specular") facts.kind = AssetFacts::Kind::specular;
     if (options.kind == "irradiance") facts.kind = AssetFacts::Kind::irradiance;
-    if (facts.kind == AssetFacts::Kind::split_sum)
+    if (file.table)
         return mismatch(cat(options.asset, " is a table, which no panorama has made"));
     if (options.orientation.given() || !file.facts) facts.orientation = options.orientation.plan;
     const bool is_chain = facts.kind == AssetFacts::Kind::specular;
@@ -149,7 +151,7 @@ void print(const Comparison& comparison, const std::vector<std::string>& over, b
 }  // namespace
 
 CompareOptions::CompareOptions(CLI::App& app)
-    : reading(app), orientation(app), json(app) {
+    : reading(app, what_the_asset_says), orientation(app, what_the_asset_says), json(app) {
     app.add_option("ASSET", asset, "the asset: .ktx2, .exr, or .json of harmonics")
         ->option_text(" ")
         ->required()
@@ -160,21 +162,21 @@ CompareOptions::CompareOptions(CLI::App& app)
     app.add_option("--panorama", panorama, "the panorama the asset was made from")
         ->option_text("FILE")
         ->check(not_empty());
-    app.add_option("--as", kind, "what ASSET holds, where the file does not say")
+    app.add_option("--as", kind, "what ASSET holds where the file does not say: specular or irradiance")
         ->option_text("KIND")
         ->check(one_of({{"specular", "a prefiltered chain"}, {"irradiance", "a cubemap of E / pi"}}));
     app.add_option("--roughness", roughness,
-                   "perceptual roughness of the levels (default: what the file says, else linear)")
+                   "perceptual roughness of the levels (default what the asset says, else linear)")
         ->option_text("CURVE")
         ->check(not_empty());
     app.add_option("--limit", limits,
-                   "exit with 1 if a level exceeds it: rel_rms=X, max_rel=X, max_abs=X, bias=X; "
-                   "may be repeated")
+                   "exit with 1 if a level exceeds it; FIGURE is rel_rms, max_rel, max_abs or bias "
+                   "(either sign); may be repeated")
         ->option_text("FIGURE=X")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     app.add_option("--probes", probes,
-                   "texels a level that are measured against the panorama (default 64)")
+                   "texels per level that are measured against the panorama (default 64)")
         ->option_text("COUNT")
         ->check(whole_number(1, 1 << 24));
 }

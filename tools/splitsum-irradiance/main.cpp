@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
     const tools::OrientationOptions orientation(app);
     const tools::FilterOptions filter(app, tools::methods_for(LobeKind::cosine));
     const tools::EncodingOptions encoding(app, 3);
-    const tools::CubemapOutputOptions output(app, "harmonics for .json, .txt and .glsl, else a cubemap");
+    const tools::CubemapOutputOptions output(app, "harmonics as .json, .txt or .glsl, a cubemap");
 
     return tools::run_tool(app, argc, argv, [&](Progress& progress) -> Status {
         const bool series = is_harmonics(output.path());

@@ -8,7 +8,7 @@
 
 int main(int argc, char** argv) {
     using namespace splitsum;
-    CLI::App app("Filters a panorama with the GGX lobe into a mip chain of reflections.",
+    CLI::App app("Prefilters a panorama for reflections: a cubemap whose mip levels are ever rougher mirrors.",
                  "splitsum-specular");
     app.footer("Example: splitsum-specular sunset.exr -o specular.ktx2 --size 256 --levels 7");
     const tools::InputOptions input(app);
@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
     const tools::OrientationOptions orientation(app);
     const tools::FilterOptions filter(app, tools::methods_for(LobeKind::ggx));
     const tools::EncodingOptions encoding(app, 3);
-    const tools::CubemapOutputOptions output(app, "the chain");
+    const tools::CubemapOutputOptions output(app, "the mip chain");
 
     return tools::run_tool(app, argc, argv, [&](Progress& progress) -> Status {
         const auto plan = specular.plan();

@@ -45,6 +45,7 @@ Json files_json(const BakeReport& report) {
 Json stored_json(const LevelCheck& check, const EncodeCounts& counts) {
     Json json = check_json(check);
     json["saturated"] = counts.saturated;
+    json["negative"] = counts.negative;
     return json;
 }
 
@@ -71,8 +72,12 @@ std::string saturation_text(const BakeReport& report) {
     EncodeCounts total = report.irradiance_counts;
     for (const EncodeCounts& counts : report.specular_counts) total += counts;
     const PixelFormatInfo& format = info_of(report.format);
-    return cat(total.saturated, " values were above the largest that ", format.name, " holds (",
-               *std::ranges::min_element(format.largest), "), and are stored as that");
+    std::string text =
+        cat(total.saturated, " values were above the largest that ", format.name, " holds (",
+            *std::ranges::min_element(format.largest), "), and are stored as that");
+    if (total.negative > 0)
+        text += cat("\n", total.negative, " values were below 0 and are stored as 0");
+    return text;
 }
 
 }  // namespace

@@ -29,7 +29,9 @@ std::string as_json(const IrradianceHarmonics& harmonics, const AssetFacts& fact
     file["lowest_share_of_mean"] = harmonics.lowest;
     file["coefficients"] = Json::array();
     for (const Vec3d& c : harmonics.coefficients) file["coefficients"].push_back({c.x, c.y, c.z});
-    file["metadata"] = metadata_of(facts);
+    AssetFacts series_facts = facts;
+    series_facts.stores_irradiance = false;  // that is the cubemap's; the series is E / pi always
+    file["metadata"] = metadata_of(series_facts);
     return file.dump(2) + "\n";
 }
 
@@ -37,13 +39,13 @@ std::string as_text(const IrradianceHarmonics& harmonics) {
     std::ostringstream text;
     text << "# E(n) / pi, red green blue a line; " << basis << "\n"
          << std::scientific << std::setprecision(17);
-    for (const Vec3d& c : harmonics.coefficients)
-        text << c.x << ' ' << c.y << ' ' << c.z << '\n';
+    for (const Vec3d& c : harmonics.coefficients) text << c.x << ' ' << c.y << ' ' << c.z << '\n';
     return text.str();
 }
 
 Error unusable(const std::filesystem::path& path, const std::string& what) {
-    return {ErrorKind::unusable_input, cat(path.string(), " is not a harmonics file of splitsum: ", what)};
+    return {ErrorKind::unusable_input,
+            cat(path.string(), " is not a harmonics file of splitsum: ", what)};
 }
 
 // May throw nlohmann's exceptions for members of other types.
@@ -85,8 +87,7 @@ Status write_harmonics(const IrradianceHarmonics& harmonics, const AssetFacts& f
 
 Result<HarmonicsFile> read_harmonics(const std::filesystem::path& path) {
     std::ifstream stream(path);
-    if (!stream)
-        return Error{ErrorKind::unreadable_input, cat("cannot read ", path.string())};
+    if (!stream) return Error{ErrorKind::unreadable_input, cat("cannot read ", path.string())};
     const Json json = Json::parse(stream, nullptr, /*allow_exceptions=*/false);
     if (json.is_discarded())
         return Error{ErrorKind::unreadable_input, cat(path.string(), " is not valid JSON")};

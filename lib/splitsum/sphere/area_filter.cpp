@@ -81,7 +81,9 @@ struct Line {
     int texels;
 };
 
-// Radians of azimuth over which two Gauss points follow a line to 1e-9.
+// Radians of azimuth over which one point in the middle, and two Gauss points, follow a line to
+// 3e-6 and 1e-9 of a texel.
+constexpr double short_piece = 0.008;
 constexpr double longest_piece = 0.02;
 
 // Walks along a line from column to column of the panorama and integrates F dphi over each texel's
@@ -148,6 +150,7 @@ private:
         const Vec3d middle = at(0.5 * (from + to));
         const double azimuths =
             std::abs(turn_) * (to - from) / (middle.x * middle.x + middle.z * middle.z);
+        if (azimuths < short_piece) return node(0.5 * (from + to), to - from);
         const int parts = 1 + int(azimuths / longest_piece);
         const double length = (to - from) / parts;
         Sum sum(0);

@@ -14,9 +14,9 @@ namespace splitsum {
 ///     ∫∫ L d(cos theta) dphi = ∮ F dphi,   F(phi, theta) = ∫_0^theta L sin dtheta',
 /// and F is a lookup in column sums. Every edge is shared by two texels, so nothing is counted
 /// twice or lost, whatever the sizes: a sun of one texel keeps its energy. Along an edge F is
-/// integrated with two Gauss points for each panorama column the edge crosses; the relative error
-/// for a smooth sky is below 1e-6, and a texel's share of a lit panorama texel is right to about
-/// 1 % of that texel.
+/// integrated over each panorama column it crosses by the midpoint or by two Gauss points; the
+/// relative error for a smooth sky is below 1e-5, and a texel's share of a lit panorama texel is
+/// right to about 1 % of that texel.
 ///
 /// `panorama_from_cube` must turn about y only (sphere/orientation.h makes such matrices). Cost:
 /// one pass over the environment, three doubles of memory a texel of it, and about four lookups for
