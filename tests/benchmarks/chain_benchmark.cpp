@@ -5,28 +5,20 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <map>
 #include <vector>
 
 #include "counters.h"
+#include "sky_made_once.h"
 #include "splitsum/base/parallel.h"
 #include "splitsum/base/text.h"
 #include "splitsum/filter/asset_levels.h"
 #include "splitsum/filter/methods.h"
 #include "splitsum/verify/check_levels.h"
-#include "support/skies.h"
 
 namespace splitsum::benchmarks {
 namespace {
 
 constexpr int environment_height = 512;
-
-const Environment& environment_of(const tests::NamedSky& sky) {
-    static std::map<std::string_view, Environment> made;
-    const auto found = made.find(sky.name);
-    if (found != made.end()) return found->second;
-    return made.emplace(sky.name, sky.make(environment_height)).first->second;
-}
 
 LevelsPlan plan_of(const FilterMethod& method) {
     LevelsPlan plan;
@@ -51,7 +43,7 @@ void show_errors(benchmark::State& state, const std::vector<Cubemap>& levels,
 
 void filter_chain(benchmark::State& state, const tests::NamedSky& sky, const FilterMethod& method,
                   int threads) {
-    const Environment& environment = environment_of(sky);
+    const Environment& environment = sky_made_once(sky, environment_height);
     const LevelsPlan plan = plan_of(method);
     NoProgress progress;
     std::vector<Cubemap> levels;

@@ -4,16 +4,16 @@
 #include <benchmark/benchmark.h>
 
 #include <chrono>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "counters.h"
+#include "sky_made_once.h"
 #include "splitsum/base/text.h"
 #include "splitsum/filter/filter_cubemap.h"
 #include "splitsum/filter/methods.h"
 #include "splitsum/verify/check_levels.h"
-#include "support/skies.h"
+#include "support/lopsided_sky.h"
 
 namespace splitsum::benchmarks {
 namespace {
@@ -27,14 +27,6 @@ struct LevelCase {
     Lobe lobe;
     int samples;  ///< 1 for a method that ignores it
 };
-
-// Skies are made when they are first asked for, and once.
-const Environment& environment_of(const tests::NamedSky& sky) {
-    static std::map<std::string_view, Environment> made;
-    const auto found = made.find(sky.name);
-    if (found != made.end()) return found->second;
-    return made.emplace(sky.name, sky.make(environment_height)).first->second;
-}
 
 FilterPlan plan_of(const LevelCase& c) {
     FilterPlan plan;
@@ -52,7 +44,7 @@ LevelCheck check(const Cubemap& level, const LevelCase& c, const Environment& en
 }
 
 void filter_level(benchmark::State& state, const LevelCase& c) {
-    const Environment& environment = environment_of(c.sky);
+    const Environment& environment = sky_made_once(c.sky, environment_height);
     NoProgress progress;
     const auto before = std::chrono::steady_clock::now();
     const auto filter = c.method.prepare(environment, {&c.lobe, 1}, plan_of(c));
@@ -60,7 +52,8 @@ void filter_level(benchmark::State& state, const LevelCase& c) {
         std::chrono::steady_clock::now() - before;
 
     Cubemap level;
-    for (auto _ : state) level = *filter_cubemap(*filter, 0, face_size, Mat3d(1), 0, progress);
+    for (auto _ : state)
+        level = filter_cubemap(*filter, 0, face_size, Mat3d(1), 0, progress)->cubemap;
 
     show(state, check(level, c, environment).figures);
     state.counters["prepare_ms"] = preparing.count();

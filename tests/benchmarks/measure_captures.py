@@ -94,7 +94,7 @@ class Programs:
 
 def timed(programs, chains, repeats, scratch):
     """Runs of every chain and of read_only on every capture, all of them once a round."""
-    captures = sorted({chain.capture for chain in chains})
+    captures = list(dict.fromkeys(chain.capture for chain in chains))
     runs = {thing: [] for thing in [*captures, *chains]}
     for repeat in range(repeats):
         for capture in captures:

@@ -29,7 +29,10 @@ void PrintTo(const Case& c, std::ostream* out) {
 
 // How far each method may be from the truth on smooth light with the samples below; measured
 // values are about half of these.
-double tolerance(const Case& c) { return c.method.name == "reference" ? 2e-6 : 4e-3; }
+double tolerance(const Case& c) {
+    if (c.method.name == "reference") return 2e-6;
+    return c.method.name == "spectral" || c.method.name == "auto" ? 1e-4 : 4e-3;
+}
 
 constexpr int samples = 16384;
 
@@ -110,8 +113,12 @@ TEST_P(EveryMethod, IsLinear) {
     const std::vector<Vec3d> directions = some_directions();
     const auto of_a = filtered(GetParam(), a, directions), of_b = filtered(GetParam(), b, directions);
     const auto of_sum = filtered(GetParam(), sum, directions);
+    // Methods that choose their effort by the scene may miss 3e-4 (rms over the sphere) each time,
+    // and more in the dark part of it.
+    const bool adaptive = GetParam().method.name == "spectral" || GetParam().method.name == "auto";
+    const float limit = adaptive ? 1e-3f : 2e-5f;
     for (size_t i = 0; i < directions.size(); ++i)
-        ASSERT_LT(length(of_a[i] + 3.0f * of_b[i] - of_sum[i]), 2e-5f * length(of_sum[i]));
+        ASSERT_LT(length(of_a[i] + 3.0f * of_b[i] - of_sum[i]), limit * length(of_sum[i]));
 }
 
 TEST_P(EveryMethod, FollowsARotationOfThePanorama) {
@@ -134,8 +141,7 @@ TEST_P(EveryMethod, FollowsARotationOfThePanorama) {
 TEST_P(EveryMethod, AgreesWithReferenceOnALopsidedSkyWithASun) {
     const Environment sky = tests::lopsided_sky(64);
     const auto directions = some_directions();
-    const Case reference{filter_methods()[0], GetParam().lobe};
-    ASSERT_EQ(reference.method.name, "reference");
+    const Case reference{*find_filter_method("reference", LobeKind::ggx), GetParam().lobe};
     for (const bool rotate : {false, true}) {
         const ErrorFigures figures =
             error_figures(filtered(GetParam(), sky, directions, rotate),
@@ -153,7 +159,7 @@ TEST_P(EveryMethod, GivesTheSameBitsForAnyNumberOfThreads) {
     const auto bake = [&](int threads) {
         const ThreadLimit limit(threads);
         const auto filter = GetParam().method.prepare(sky, {&GetParam().lobe, 1}, plan);
-        return filter_cubemap(*filter, 0, 16, Mat3d(1), 7, progress)->texels;
+        return filter_cubemap(*filter, 0, 16, Mat3d(1), 7, progress)->cubemap.texels;
     };
     EXPECT_EQ(bake(1), bake(8));
 }
@@ -162,7 +168,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod, testing::ValuesIn(cases()));
 
 // The comparison above must be able to fail: a lobe 5 % too wide is further off than any method.
 TEST(EveryMethodItself, NoticesALobeThatIsTooWide) {
-    const FilterMethod& reference = filter_methods()[0];
+    const FilterMethod reference = *find_filter_method("reference", LobeKind::ggx);
     const auto directions = some_directions();
     const Environment sky = tests::lopsided_sky(64);
     const auto right = filtered({reference, {LobeKind::ggx, 0.25}}, sky, directions);
@@ -181,7 +187,7 @@ TEST(RotatedSamples, DependOnTheTexelAndTheSeedAlone) {
         plan.seed = seed;
         const auto filter = find_filter_method("importance", LobeKind::ggx)
                                 ->prepare(sky, {&lobe, 1}, plan);
-        return filter_cubemap(*filter, 0, 4, Mat3d(1), first_key, progress)->texels;
+        return filter_cubemap(*filter, 0, 4, Mat3d(1), first_key, progress)->cubemap.texels;
     };
     EXPECT_EQ(bake(1, 0), bake(1, 0));
     EXPECT_NE(bake(1, 0), bake(2, 0));

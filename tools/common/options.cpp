@@ -28,7 +28,8 @@ void add_whole(CLI::App& app, const std::string& name, Integer& value, int64_t l
 CLI::Option* add_number(CLI::App& app, const std::string& name, double& value, double limit,
                         const std::string& unit, const std::string& text,
                         const std::string& fallback) {
-    return app.add_option(name, value, with_default(text, fallback.empty() ? cat(value) : fallback))
+    return app
+        .add_option(name, value, with_default(text, fallback.empty() ? cat(value) : fallback))
         ->option_text(unit)
         ->check(finite_number(-limit, limit));
 }
@@ -63,9 +64,10 @@ ReadingOptions::ReadingOptions(CLI::App& app, const std::string& fallback) {
         ->envname("OCIO");
     exposure_ = add_number(app, "--exposure", plan_.exposure_stops, 64, "STOPS",
                            "multiply radiance by 2^STOPS, -64 to 64", fallback);
-    app.add_flag("--repair", plan_.repair,
-                 "replace NaN and Inf by their neighbours' mean and negative values by 0, and count "
-                 "them (default: refuse the file)");
+    app.add_flag(
+        "--repair", plan_.repair,
+        "replace NaN and Inf by their neighbours' mean and negative values by 0, and count "
+        "them (default: refuse the file)");
 }
 
 PanoramaOptions ReadingOptions::plan() const {
@@ -96,10 +98,17 @@ bool OrientationOptions::given() const {
 
 FilterOptions::FilterOptions(CLI::App& app, const std::vector<Choice>& methods) {
     add_choice(app, "--method", plan.method, methods, "how light is integrated");
+    app.add_option("--accuracy", plan.accuracy,
+                   with_default("relative error (rel_rms of a level) that auto and spectral may "
+                                "make, 1e-5 to 0.1",
+                                plan.accuracy))
+        ->option_text("ERROR")
+        ->check(finite_number(1e-5, 0.1));
     add_whole(app, "--samples", plan.samples, 1, most_samples, "COUNT",
               "directions per texel, for methods that sample");
-    app.add_flag("--rotate-samples", plan.rotate_samples,
-                 "turn the directions by a different angle at each texel: noise instead of patterns");
+    app.add_flag(
+        "--rotate-samples", plan.rotate_samples,
+        "turn the directions by a different angle at each texel: noise instead of patterns");
     add_whole(app, "--seed", plan.seed, 0, std::numeric_limits<uint32_t>::max(), "NUMBER",
               "chooses the angles of --rotate-samples");
 }
@@ -166,8 +175,9 @@ EncodingOptions::EncodingOptions(CLI::App& app, int channels, const std::string&
                "how a texel is stored in a .ktx2 file");
     auto* zstd = app.add_flag(cat("--", prefix, "zstd"), container_.ktx2.zstd,
                               "supercompress a .ktx2 file with Zstandard");
-    app.add_option(cat("--", prefix, "zstd-level"), container_.ktx2.zstd_level,
-                   with_default("with --zstd, 1 (fastest) to 22 (smallest)", container_.ktx2.zstd_level))
+    app.add_option(
+           cat("--", prefix, "zstd-level"), container_.ktx2.zstd_level,
+           with_default("with --zstd, 1 (fastest) to 22 (smallest)", container_.ktx2.zstd_level))
         ->option_text("LEVEL")
         ->check(whole_number(1, 22))
         ->needs(zstd);

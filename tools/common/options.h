@@ -64,7 +64,7 @@ private:
     std::vector<CLI::Option*> options_;
 };
 
-/// --method, --samples, --rotate-samples, --seed. `methods` are the values of --method, and one of
+/// --method, --accuracy, --samples, --rotate-samples, --seed. `methods` are the values of --method, and one of
 /// them is the default of FilterPlan.
 struct FilterOptions {
     FilterOptions(CLI::App& app, const std::vector<Choice>& methods);

@@ -45,7 +45,9 @@ Status CubemapOutputOptions::check() const {
     return check_writable(path_);
 }
 
-Status CubemapOutputOptions::measure_and_write(const CubemapAsset& asset, const Light& light,
+Status CubemapOutputOptions::measure_and_write(const CubemapAsset& asset,
+                                               const std::vector<LevelAccount>& accounts,
+                                               const Light& light,
                                                const ContainerOptions& container,
                                                Progress& progress) const {
     const auto facts = facts_of(asset.texture.metadata);
@@ -55,11 +57,12 @@ Status CubemapOutputOptions::measure_and_write(const CubemapAsset& asset, const 
     if (!checks) return checks.error();
     if (const Status written = write_texture(asset.texture, path_, container); !written)
         return written;
-    print(*checks, asset.counts, light);
+    print(*checks, accounts, asset.counts, light);
     return ok;
 }
 
 void CubemapOutputOptions::print(const std::vector<LevelCheck>& checks,
+                                 const std::vector<LevelAccount>& accounts,
                                  const std::vector<EncodeCounts>& counts,
                                  const Light& light) const {
     int64_t saturated = 0;
@@ -68,7 +71,10 @@ void CubemapOutputOptions::print(const std::vector<LevelCheck>& checks,
         nlohmann::ordered_json json = {
             {"file", path_.string()}, {"notes", light.notes}, {"saturated", saturated}};
         json["measured"] = nlohmann::ordered_json::array();
-        for (const LevelCheck& check : checks) json["measured"].push_back(check_json(check));
+        for (size_t i = 0; i < checks.size(); ++i) {
+            json["measured"].push_back(check_json(checks[i]));
+            if (i < accounts.size()) json["measured"].back().update(account_json(accounts[i]));
+        }
         std::cout << json.dump(2) << "\n";
         return;
     }
@@ -77,8 +83,9 @@ void CubemapOutputOptions::print(const std::vector<LevelCheck>& checks,
         std::cout << "note: " << saturated << " values were above the format's largest and are "
                   << "stored as that\n";
     if (!checks.empty()) std::cout << figures_heading();
-    for (const LevelCheck& check : checks)
-        std::cout << figures_line(cat("level ", check.level), check);
+    for (size_t i = 0; i < checks.size(); ++i)
+        std::cout << figures_line(cat("level ", i), checks[i],
+                                  i < accounts.size() ? &accounts[i] : nullptr);
     std::cout << path_.string() << "\n";
 }
 

@@ -44,12 +44,13 @@ public:
     Status check() const;
 
     /// Measures what will be stored, writes it and prints the figures.
-    Status measure_and_write(const CubemapAsset& asset, const Light& light,
+    Status measure_and_write(const CubemapAsset& asset, const std::vector<LevelAccount>& accounts,
+                             const Light& light,
                              const ContainerOptions& container, Progress& progress) const;
 
     /// Prints notes, figures and where the file is, as text or as JSON.
-    void print(const std::vector<LevelCheck>& checks, const std::vector<EncodeCounts>& counts,
-               const Light& light) const;
+    void print(const std::vector<LevelCheck>& checks, const std::vector<LevelAccount>& accounts,
+               const std::vector<EncodeCounts>& counts, const Light& light) const;
 
     int probes() const { return probes_; }
 

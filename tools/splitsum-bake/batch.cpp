@@ -33,7 +33,8 @@ Status check_names(const std::vector<std::string>& panoramas) {
     for (const std::string& panorama : panoramas) {
         const std::string stem = fs::path(panorama).stem().string();
         if (stem.empty())
-            return Error{ErrorKind::bad_argument, cat("'", panorama, "' is not the name of a file")};
+            return Error{ErrorKind::bad_argument,
+                         cat("'", panorama, "' is not the name of a file")};
         const auto [other, is_new] = first_with_stem.emplace(stem, panorama);
         if (!is_new)
             return Error{ErrorKind::bad_argument,
@@ -80,9 +81,9 @@ public:
             entry["files"].push_back((folder / file.name).string());
         panoramas_.push_back(entry);
         if (json_) return;
-        std::cout << folder.string() << "/: " << join(report.files, ", ", [](const auto& file) {
-            return file.name;
-        }) << ", report.json, report.txt\n"
+        std::cout << folder.string()
+                  << "/: " << join(report.files, ", ", [](const auto& file) { return file.name; })
+                  << ", report.json, report.txt\n"
                   << "  worst rel_rms of a level " << std::setprecision(2) << std::scientific
                   << worst_rel_rms(report) << ", " << std::fixed << seconds << " s\n";
         for (const std::string& note : report.notes) std::cout << "  note: " << note << "\n";
@@ -138,8 +139,9 @@ BatchOptions::BatchOptions(CLI::App& app)
       filter(app, methods_for(LobeKind::ggx)),
       encoding(app, 3),
       json(app) {
-    app.add_option("--probes", probes,
-                   "texels per level whose error against exact integration is measured (default 64)")
+    app.add_option(
+           "--probes", probes,
+           "texels per level whose error against exact integration is measured (default 64)")
         ->option_text("COUNT")
         ->check(whole_number(1, 1 << 24));
     app.add_flag("--no-picture", no_picture, "do not write the picture contact.png");
@@ -148,8 +150,9 @@ BatchOptions::BatchOptions(CLI::App& app)
 Result<BakePlan> BatchOptions::plan() const {
     const auto chain = specular.plan();
     if (!chain) return chain.error();
-    const BakePlan plan{*chain,           irradiance.plan,      filter.plan, orientation.plan,
-                        encoding.format(), encoding.container(), probes,      !no_picture};
+    const BakePlan plan{*chain,           irradiance.plan,   filter.plan,
+                        orientation.plan, encoding.format(), encoding.container(),
+                        probes,           !no_picture};
     if (const Status valid = validate(plan); !valid) return valid.error();
     return plan;
 }

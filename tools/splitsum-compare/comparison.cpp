@@ -7,8 +7,8 @@
 #include "asset_file.h"
 #include "light/cubemap_tool.h"
 #include "limits.h"
-#include "splitsum/base/text.h"
 #include "splitsum/bake/facts.h"
+#include "splitsum/base/text.h"
 #include "splitsum/report/figures_json.h"
 #include "splitsum/report/figures_text.h"
 
@@ -28,14 +28,13 @@ Error mismatch(const std::string& what) { return {ErrorKind::unusable_input, wha
 
 // What the file says of itself, completed and overruled by what the user says.
 Result<AssetFacts> facts_with_options(const AssetFile& file, const CompareOptions& options) {
+    if (file.table) return mismatch(cat(options.asset, " is a table, which no panorama has made"));
     if (!file.facts && options.kind.empty())
         return mismatch(cat(options.asset,
                             " does not say what it holds; say --as specular or --as irradiance"));
     AssetFacts facts = file.facts.value_or(AssetFacts{});
     if (options.kind == "specular") facts.kind = AssetFacts::Kind::specular;
     if (options.kind == "irradiance") facts.kind = AssetFacts::Kind::irradiance;
-    if (file.table)
-        return mismatch(cat(options.asset, " is a table, which no panorama has made"));
     if (options.orientation.given() || !file.facts) facts.orientation = options.orientation.plan;
     const bool is_chain = facts.kind == AssetFacts::Kind::specular;
     if (is_chain && (!options.roughness.empty() || facts.perceptual_roughness.empty())) {
@@ -69,8 +68,8 @@ Result<Comparison> against_panorama(const AssetFile& file, const CompareOptions&
     if (file.harmonics) {
         progress.begin("measuring", options.probes);
         const auto check = check_harmonics(
-            *file.harmonics,
-            {environment, panorama_from_cube(facts->orientation), options.probes}, progress);
+            *file.harmonics, {environment, panorama_from_cube(facts->orientation), options.probes},
+            progress);
         if (!check) return check.error();
         comparison.levels = {*check};
         return comparison;
@@ -162,9 +161,11 @@ CompareOptions::CompareOptions(CLI::App& app)
     app.add_option("--panorama", panorama, "the panorama the asset was made from")
         ->option_text("FILE")
         ->check(not_empty());
-    app.add_option("--as", kind, "what ASSET holds where the file does not say: specular or irradiance")
+    app.add_option("--as", kind,
+                   "what ASSET holds where the file does not say: specular or irradiance")
         ->option_text("KIND")
-        ->check(one_of({{"specular", "a prefiltered chain"}, {"irradiance", "a cubemap of E / pi"}}));
+        ->check(
+            one_of({{"specular", "a prefiltered chain"}, {"irradiance", "a cubemap of E / pi"}}));
     app.add_option("--roughness", roughness,
                    "perceptual roughness of the levels (default what the asset says, else linear)")
         ->option_text("CURVE")

@@ -16,7 +16,7 @@ struct CompareOptions {
     CompareOptions(const CompareOptions&) = delete;
 
     std::string asset;
-    std::string other;  ///< "" when a panorama is given
+    std::string other;     ///< "" when a panorama is given
     std::string panorama;  ///< "" when another asset is given
     ReadingOptions reading;
     std::string kind;       ///< of a file that does not say: "specular", "irradiance" or ""

@@ -16,8 +16,9 @@ bool is_harmonics(const std::filesystem::path& path) {
     return ending == ".json" || ending == ".txt" || ending == ".glsl";
 }
 
-Status write_cubemap(const tools::Light& light, const IrradiancePlan& plan, const FilterPlan& filter,
-                     const Orientation& orientation, const tools::EncodingOptions& encoding,
+Status write_cubemap(const tools::Light& light, const IrradiancePlan& plan,
+                     const FilterPlan& filter, const Orientation& orientation,
+                     const tools::EncodingOptions& encoding,
                      const tools::CubemapOutputOptions& output, Progress& progress) {
     const auto levels =
         filter_levels(light.environment, {std::nullopt, plan, filter, orientation}, progress);
@@ -25,7 +26,7 @@ Status write_cubemap(const tools::Light& light, const IrradiancePlan& plan, cons
     const auto asset = cubemap_asset({&*levels->irradiance, 1}, encoding.format(),
                                      irradiance_facts(light.source, plan, filter, orientation));
     if (!asset) return asset.error();
-    return output.measure_and_write(*asset, light, encoding.container(), progress);
+    return output.measure_and_write(*asset, levels->accounts, light, encoding.container(), progress);
 }
 
 Status write_series(const tools::Light& light, const IrradiancePlan& plan, const FilterPlan& filter,
@@ -44,7 +45,7 @@ Status write_series(const tools::Light& light, const IrradiancePlan& plan, const
     }
     const Status written = write_harmonics(
         harmonics, irradiance_facts(light.source, plan, filter, orientation), output.path());
-    if (written) output.print(checks, {}, light);
+    if (written) output.print(checks, {}, {}, light);
     return written;
 }
 

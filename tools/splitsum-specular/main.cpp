@@ -8,8 +8,10 @@
 
 int main(int argc, char** argv) {
     using namespace splitsum;
-    CLI::App app("Prefilters a panorama for reflections: a cubemap whose mip levels are ever rougher mirrors.",
-                 "splitsum-specular");
+    CLI::App app(
+        "Prefilters a panorama for reflections: a cubemap whose mip levels are ever rougher "
+        "mirrors.",
+        "splitsum-specular");
     app.footer("Example: splitsum-specular sunset.exr -o specular.ktx2 --size 256 --levels 7");
     const tools::InputOptions input(app);
     const tools::SpecularOptions specular(app);
@@ -28,10 +30,10 @@ int main(int argc, char** argv) {
         const auto levels = filter_levels(
             light->environment, {*plan, std::nullopt, filter.plan, orientation.plan}, progress);
         if (!levels) return levels.error();
-        const auto asset = cubemap_asset(
-            levels->specular, encoding.format(),
-            specular_facts(light->source, *plan, filter.plan, orientation.plan));
+        const auto asset =
+            cubemap_asset(levels->specular, encoding.format(),
+                          specular_facts(light->source, *plan, filter.plan, orientation.plan));
         if (!asset) return asset.error();
-        return output.measure_and_write(*asset, *light, encoding.container(), progress);
+        return output.measure_and_write(*asset, levels->accounts, *light, encoding.container(), progress);
     });
 }

@@ -18,6 +18,7 @@ struct BakedAssets {
     CubemapAsset specular;
     CubemapAsset irradiance;
     IrradianceHarmonics harmonics;
+    std::vector<LevelAccount> accounts;
 };
 
 Result<BakedAssets> make_assets(const Environment& environment, const BakePlan& plan,
@@ -32,7 +33,8 @@ Result<BakedAssets> make_assets(const Environment& environment, const BakePlan& 
     return BakedAssets{std::move(*specular), std::move(*irradiance),
                        irradiance_harmonics(environment, plan.irradiance.harmonics_order,
                                             plan.irradiance.windowed,
-                                            panorama_from_cube(plan.orientation))};
+                                            panorama_from_cube(plan.orientation)),
+                       levels->accounts};
 }
 
 // Fills in the figures of the report.
@@ -50,6 +52,7 @@ Status measure(const BakedAssets& assets, const Environment& environment, const 
     const auto harmonics = check_harmonics(assets.harmonics, truth, progress);
     if (!harmonics) return harmonics.error();
 
+    report.accounts = assets.accounts;
     report.probes = plan.probes;
     report.specular = std::move(*specular);
     report.specular_counts = assets.specular.counts;

@@ -53,7 +53,7 @@ Result<FilterMethod> method_of(const LevelsPlan& plan) {
 }
 
 // The mirror image wants no more texels than a few for each of its own.
-Result<Cubemap> mirror_level(const Environment& environment, int face_size,
+Result<Cubemap> mirror_image(const Environment& environment, int face_size,
                              const Mat3d& panorama_from_cube, Progress& progress) {
     const int enough = 8 * face_size;  // rows; the cube has 2 face_size from pole to pole
     if (environment.height() < 2 * enough)
@@ -63,9 +63,16 @@ Result<Cubemap> mirror_level(const Environment& environment, int face_size,
                                  face_size, panorama_from_cube, progress);
 }
 
-Result<std::vector<Cubemap>> run(const std::vector<Job>& jobs, const FilterMethod& method,
-                                 const Environment& environment, const LevelsPlan& plan,
-                                 Progress& progress) {
+Result<FilteredCubemap> mirror_level(const Environment& environment, int face_size,
+                                     const Mat3d& panorama_from_cube, Progress& progress) {
+    auto cubemap = mirror_image(environment, face_size, panorama_from_cube, progress);
+    if (!cubemap) return cubemap.error();
+    return FilteredCubemap{std::move(*cubemap), {.method = "mirror"}};
+}
+
+Result<std::vector<FilteredCubemap>> run(const std::vector<Job>& jobs, const FilterMethod& method,
+                                         const Environment& environment, const LevelsPlan& plan,
+                                         Progress& progress) {
     std::vector<Lobe> lobes;
     int rows = 0;
     for (const Job& job : jobs) {
@@ -75,19 +82,19 @@ Result<std::vector<Cubemap>> run(const std::vector<Job>& jobs, const FilterMetho
     progress.begin("filtering", rows);
     const auto filter = method.prepare(environment, lobes, plan.filter);
     const Mat3d panorama_from_cube = splitsum::panorama_from_cube(plan.orientation);
-    std::vector<Cubemap> cubemaps;
+    std::vector<FilteredCubemap> levels;
     size_t lobe = 0;
     uint32_t first_key = 0;
     for (const Job& job : jobs) {
-        auto cubemap = is_mirror(job)
-                           ? mirror_level(environment, job.face_size, panorama_from_cube, progress)
-                           : filter_cubemap(*filter, lobe++, job.face_size, panorama_from_cube,
-                                            first_key, progress);
-        if (!cubemap) return cubemap.error();
-        first_key += uint32_t(cubemap->texels.size());
-        cubemaps.push_back(std::move(*cubemap));
+        auto level = is_mirror(job)
+                         ? mirror_level(environment, job.face_size, panorama_from_cube, progress)
+                         : filter_cubemap(*filter, lobe++, job.face_size, panorama_from_cube,
+                                          first_key, progress);
+        if (!level) return level.error();
+        first_key += uint32_t(level->cubemap.texels.size());
+        levels.push_back(std::move(*level));
     }
-    return cubemaps;
+    return levels;
 }
 
 }  // namespace
@@ -97,17 +104,20 @@ Result<AssetLevels> filter_levels(const Environment& environment, const LevelsPl
     if (const Status valid = validate(plan); !valid) return valid.error();
     const auto method = method_of(plan);
     if (!method) return method.error();
-    auto cubemaps = run(jobs_of(plan), *method, environment, plan, progress);
-    if (!cubemaps) return cubemaps.error();
+    auto filtered = run(jobs_of(plan), *method, environment, plan, progress);
+    if (!filtered) return filtered.error();
 
     AssetLevels levels;
+    for (FilteredCubemap& level : *filtered) {
+        levels.accounts.push_back(std::move(level.account));
+        levels.specular.push_back(std::move(level.cubemap));
+    }
     if (plan.irradiance) {
-        levels.irradiance = std::move(cubemaps->back());
-        cubemaps->pop_back();
+        levels.irradiance = std::move(levels.specular.back());
+        levels.specular.pop_back();
         if (plan.irradiance->store_irradiance)
             for (Vec3& texel : levels.irradiance->texels) texel *= std::numbers::pi_v<float>;
     }
-    levels.specular = std::move(*cubemaps);
     return levels;
 }
 

@@ -5,6 +5,7 @@
 
 #include "splitsum/base/progress.h"
 #include "splitsum/base/result.h"
+#include "splitsum/filter/methods.h"
 #include "splitsum/plan/asset_plan.h"
 #include "splitsum/sphere/cubemap.h"
 #include "splitsum/sphere/environment.h"
@@ -20,6 +21,7 @@ struct LevelsPlan {
 };
 
 struct AssetLevels {
+    std::vector<LevelAccount> accounts;  ///< how each level was made, irradiance last
     std::vector<Cubemap> specular;      ///< level l has max(1, face_size >> l) texels along its edge
     std::optional<Cubemap> irradiance;  ///< E / pi, or E where the plan says so
 };

@@ -26,7 +26,9 @@ std::vector<double> significant_factors(const Lobe& lobe, double smallest, int m
 }
 
 double negligible_factor(double total_power, double mean_power, double accuracy) {
-    return mean_power > 0 ? accuracy * std::sqrt(mean_power / total_power) : 1;
+    if (total_power == 0) return 1;  // black: nothing matters
+    // Only light with negative parts has power and no mean; then the factor is a guess.
+    return accuracy * (mean_power > 0 ? std::sqrt(mean_power / total_power) : 1e-3);
 }
 
 BandLimit band_limit(const Spectrum& spectrum, std::span<const double> factors, double accuracy) {

@@ -7,12 +7,18 @@
 
 namespace splitsum {
 
+struct FilteredCubemap {
+    Cubemap cubemap;
+    LevelAccount account;
+};
+
 /// One lobe of a prepared filter at every texel centre of a cube, in parallel over texel rows.
 /// `panorama_from_cube` takes cube directions to those of the environment; the keys of the texels
-/// count from `first_key`. The bits do not depend on the number of threads. Reports one step of
+/// count from `first_key`. Radiance is never negative: values that a truncated series leaves below
+/// 0 become 0 and are counted. The bits do not depend on the number of threads. Reports one step of
 /// progress a row (the caller begins the stage); fails only when cancelled.
-Result<Cubemap> filter_cubemap(const PreparedFilter& filter, size_t lobe_index, int face_size,
-                               const Mat3d& panorama_from_cube, uint32_t first_key,
-                               Progress& progress);
+Result<FilteredCubemap> filter_cubemap(const PreparedFilter& filter, size_t lobe_index,
+                                       int face_size, const Mat3d& panorama_from_cube,
+                                       uint32_t first_key, Progress& progress);
 
 }  // namespace splitsum

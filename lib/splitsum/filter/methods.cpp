@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "splitsum/base/text.h"
+#include "splitsum/filter/auto_method.h"
 #include "splitsum/filter/reference.h"
 #include "splitsum/filter/sampled.h"
 #include "splitsum/filter/spectral.h"
@@ -18,6 +19,8 @@ bool filters(const FilterMethod& method, LobeKind kind) {
 
 std::span<const FilterMethod> filter_methods() {
     static constexpr FilterMethod methods[] = {
+        {"auto", "the cheapest that meets --accuracy for each level; the report says which", true,
+         true, prepare_auto},
         {"reference", "fp64 sum over every texel, exact and slow: the judge of the others", true,
          true, prepare_reference},
         {"riemann", "uniform grid over the hemisphere, the textbook diffuse loop", false, true,

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "splitsum/base/result.h"
@@ -21,6 +22,15 @@ struct Directions {
     uint32_t first_key = 0;
 };
 
+/// How one level was made, for the report.
+struct LevelAccount {
+    std::string method{};         ///< the row of filter_methods() that did the work
+    std::string reason{};         ///< why `auto` chose it; "" where the user did
+    int bands = 0;                ///< spherical-harmonic bands kept; 0 where there are none
+    double error_bound = 0;       ///< relative error (rel_rms) by theory; 0 where theory has none
+    int64_t clamped_negative = 0; ///< channel values below 0 that were set to 0
+};
+
 /// A method made ready for one environment and a list of lobes; whatever the lobes can share
 /// (a pyramid, sample sets, a transform) has been computed once.
 class PreparedFilter {
@@ -31,6 +41,9 @@ public:
     /// list. Safe to call from many threads; one direction's result does not depend on the others.
     virtual void evaluate(size_t lobe_index, const Directions& directions,
                           std::span<Vec3> out) const = 0;
+
+    /// How lobe `lobe_index` is filtered (without clamped_negative, which is not known yet).
+    virtual LevelAccount account(size_t lobe_index) const = 0;
 };
 
 /// One way to filter light. All methods answer the same question (filter/README.md), so any of

@@ -23,8 +23,9 @@ double sample_angle(const FilterPlan& plan, uint32_t key) {
 template <class Sum>
 class SampledFilter final : public PreparedFilter {
 public:
-    SampledFilter(std::vector<SampleSet> sets, const FilterPlan& plan, Sum sum)
-        : sets_(std::move(sets)), plan_(plan), sum_(std::move(sum)) {}
+    SampledFilter(std::string_view method, std::vector<SampleSet> sets, const FilterPlan& plan,
+                  Sum sum)
+        : method_(method), sets_(std::move(sets)), plan_(plan), sum_(std::move(sum)) {}
 
     void evaluate(size_t lobe_index, const Directions& directions,
                   std::span<Vec3> out) const override {
@@ -35,16 +36,19 @@ public:
         }
     }
 
+    LevelAccount account(size_t) const override { return {.method = std::string(method_)}; }
+
 private:
+    std::string_view method_;
     std::vector<SampleSet> sets_;
     FilterPlan plan_;
     Sum sum_;
 };
 
 template <class Sum>
-std::unique_ptr<PreparedFilter> make_filter(std::vector<SampleSet> sets, const FilterPlan& plan,
-                                            Sum sum) {
-    return std::make_unique<SampledFilter<Sum>>(std::move(sets), plan, std::move(sum));
+std::unique_ptr<PreparedFilter> make_filter(std::string_view method, std::vector<SampleSet> sets,
+                                            const FilterPlan& plan, Sum sum) {
+    return std::make_unique<SampledFilter<Sum>>(method, std::move(sets), plan, std::move(sum));
 }
 
 std::vector<SampleSet> sets_of(std::span<const Lobe> lobes, int samples,
@@ -54,9 +58,10 @@ std::vector<SampleSet> sets_of(std::span<const Lobe> lobes, int samples,
     return sets;
 }
 
-std::unique_ptr<PreparedFilter> texel_filter(const Environment& environment,
+std::unique_ptr<PreparedFilter> texel_filter(std::string_view method,
+                                             const Environment& environment,
                                              std::vector<SampleSet> sets, const FilterPlan& plan) {
-    return make_filter(std::move(sets), plan,
+    return make_filter(method, std::move(sets), plan,
                        [&environment](size_t, const SampleSet& set, const Frame& frame) {
                            return sum_of_texels(environment, set, frame);
                        });
@@ -87,13 +92,14 @@ RingLookups lookups_of(const RingPyramid& pyramid, const SampleSet& set) {
 std::unique_ptr<PreparedFilter> prepare_importance(const Environment& environment,
                                                    std::span<const Lobe> lobes,
                                                    const FilterPlan& plan) {
-    return texel_filter(environment, sets_of(lobes, plan.samples, importance_samples), plan);
+    return texel_filter("importance", environment,
+                        sets_of(lobes, plan.samples, importance_samples), plan);
 }
 
 std::unique_ptr<PreparedFilter> prepare_riemann(const Environment& environment,
                                                 std::span<const Lobe> lobes,
                                                 const FilterPlan& plan) {
-    return texel_filter(environment, sets_of(lobes, plan.samples, riemann_samples), plan);
+    return texel_filter("riemann", environment, sets_of(lobes, plan.samples, riemann_samples), plan);
 }
 
 std::unique_ptr<PreparedFilter> prepare_filtered(const Environment& environment,
@@ -103,7 +109,7 @@ std::unique_ptr<PreparedFilter> prepare_filtered(const Environment& environment,
     std::vector<SampleSet> sets = sets_of(lobes, plan.samples, importance_samples);
     std::vector<RingLookups> lookups;
     for (const SampleSet& set : sets) lookups.push_back(lookups_of(*pyramid, set));
-    return make_filter(std::move(sets), plan,
+    return make_filter("filtered", std::move(sets), plan,
                        [pyramid = std::move(pyramid), lookups = std::move(lookups)](
                            size_t lobe_index, const SampleSet& set, const Frame& frame) {
                            return sum_of_rings(lookups[lobe_index], set, frame);

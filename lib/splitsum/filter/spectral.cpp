@@ -3,54 +3,93 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "splitsum/filter/band_limit.h"
+#include "splitsum/filter/narrow_lobe.h"
 #include "splitsum/filter/spectrum.h"
 #include "splitsum/filter/synthesis.h"
 
 namespace splitsum {
 namespace {
 
-// Above this many bands the start values P_mm underflow where they matter.
-constexpr int most_bands = 1800;
+// Where more bands cost more than taking the lobe apart (filter/README.md has the measurement).
+constexpr int most_bands = 2000;
 
-// The truncation's share of the accuracy that was asked for; interpolation and rounding have the
-// rest.
+// Shares of the accuracy that was asked for: bands left out, interpolation, the cut of a narrow
+// lobe's rest. Squares add up to less than 1.
 constexpr double truncation_share = 0.3;
+constexpr double interpolation_share = 0.3;
+constexpr double cap_share = 0.3;
+
+// Of the texels around a narrow lobe's peak that are integrated with care.
+constexpr double near_texels = 4;
+
+// How one lobe is filtered.
+struct LobePlan {
+    Lobe transformed;                  // what the transform filters with
+    std::vector<double> factors;       // its significant band factors
+    std::optional<NarrowLobe> narrow;  // what is added for a narrow lobe
+};
+
+struct FilteredLobe {
+    SphereGrid grid;
+    std::optional<NarrowLobe> narrow;
+    LevelAccount account;
+};
 
 class SpectralFilter final : public PreparedFilter {
 public:
-    explicit SpectralFilter(std::vector<SphereGrid> grids) : grids_(std::move(grids)) {}
+    SpectralFilter(const Environment& environment, std::vector<FilteredLobe> lobes)
+        : quadrature_(environment, near_texels), lobes_(std::move(lobes)) {}
 
     void evaluate(size_t lobe_index, const Directions& directions,
                   std::span<Vec3> out) const override {
-        for (size_t i = 0; i < out.size(); ++i)
-            out[i] = interpolate(grids_[lobe_index], directions.towards[i]);
+        const FilteredLobe& lobe = lobes_[lobe_index];
+        for (size_t i = 0; i < out.size(); ++i) {
+            const Vec3d& towards = directions.towards[i];
+            out[i] = interpolate(lobe.grid, towards);
+            if (lobe.narrow)
+                out[i] = Vec3(lobe.narrow->share() * Vec3d(out[i]) +
+                              lobe.narrow->rest(quadrature_, towards));
+        }
     }
+
+    LevelAccount account(size_t lobe_index) const override { return lobes_[lobe_index].account; }
 
 private:
-    std::vector<SphereGrid> grids_;
+    TexelQuadrature quadrature_;
+    std::vector<FilteredLobe> lobes_;
 };
 
-// ∫ L² dl and 4 pi |mean|², over the three channels.
-struct Powers {
-    double total;
-    double mean;
-};
-
-Powers powers_of(const Environment& environment) {
-    double total = 0;
-    for (int y = 0; y < environment.height(); ++y) {
-        double row = 0;
-        for (int x = 0; x < environment.width(); ++x) {
-            const Vec3d radiance(environment.texel(x, y));
-            row += dot(radiance, radiance);
-        }
-        total += row * solid_angle_of_row(y, environment.height());
-    }
+// The size below which a band factor cannot matter to this environment.
+double negligible_for(const Environment& environment, double accuracy) {
     const Vec3d mean = mean_radiance(environment);
-    return {total, 4 * std::numbers::pi * dot(mean, mean)};
+    return negligible_factor(integral_of_square(environment),
+                             4 * std::numbers::pi * dot(mean, mean), accuracy);
+}
+
+LobePlan plan_lobe(const Lobe& lobe, double negligible, double accuracy) {
+    std::vector<double> factors = significant_factors(lobe, negligible, most_bands);
+    if (std::abs(factors.back()) <= negligible || lobe.kind != LobeKind::ggx)
+        return {lobe, std::move(factors), std::nullopt};
+    Lobe wide = lobe;
+    do {
+        wide.alpha *= 1.25;
+        factors = significant_factors(wide, negligible, most_bands);
+    } while (std::abs(factors.back()) > negligible);
+    return {wide, std::move(factors), NarrowLobe(lobe.alpha, wide.alpha, cap_share * accuracy)};
+}
+
+FilteredLobe filter_lobe(const Spectrum& spectrum, const LobePlan& plan, double accuracy) {
+    const BandLimit limit = band_limit(spectrum, plan.factors, truncation_share * accuracy);
+    const auto factors = std::span(plan.factors).first(size_t(limit.bands));
+    const GridSize size = grid_size(spectrum, factors, interpolation_share * accuracy);
+    LevelAccount account{.method = "spectral", .bands = limit.bands};
+    const double cut = plan.narrow ? cap_share * accuracy : 0;
+    account.error_bound = std::hypot(limit.truncation_bound, size.interpolation_bound, cut);
+    return {synthesize(spectrum, factors, size.rings), plan.narrow, account};
 }
 
 }  // namespace
@@ -58,22 +97,18 @@ Powers powers_of(const Environment& environment) {
 std::unique_ptr<PreparedFilter> prepare_spectral(const Environment& environment,
                                                  std::span<const Lobe> lobes,
                                                  const FilterPlan& plan) {
-    const double accuracy = truncation_share * plan.accuracy;
-    const Powers powers = powers_of(environment);
-    const double negligible = negligible_factor(powers.total, powers.mean, accuracy);
-    std::vector<std::vector<double>> factors;
+    const double negligible = negligible_for(environment, truncation_share * plan.accuracy);
+    std::vector<LobePlan> plans;
     size_t bands = 1;
     for (const Lobe& lobe : lobes) {
-        factors.push_back(significant_factors(lobe, negligible, most_bands));
-        bands = std::max(bands, factors.back().size() - 1);
+        plans.push_back(plan_lobe(lobe, negligible, plan.accuracy));
+        bands = std::max(bands, plans.back().factors.size() - 1);
     }
     const Spectrum spectrum = forward_transform(environment, int(bands));
-    std::vector<SphereGrid> grids;
-    for (const std::vector<double>& k : factors) {
-        const BandLimit limit = band_limit(spectrum, k, accuracy);
-        grids.push_back(synthesize(spectrum, std::span(k).first(size_t(limit.bands))));
-    }
-    return std::make_unique<SpectralFilter>(std::move(grids));
+    std::vector<FilteredLobe> filtered;
+    for (const LobePlan& lobe : plans)
+        filtered.push_back(filter_lobe(spectrum, lobe, plan.accuracy));
+    return std::make_unique<SpectralFilter>(environment, std::move(filtered));
 }
 
 }  // namespace splitsum

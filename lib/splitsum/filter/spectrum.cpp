@@ -102,17 +102,6 @@ LegendreRows gauss_rows(int height, int bands) {
     return rows;
 }
 
-double integral_of_square(const Environment& environment) {
-    return ordered_sum(environment.height(), [&](int y) {
-        double sum = 0;
-        for (int x = 0; x < environment.width(); ++x) {
-            const Vec3d radiance(environment.texel(x, y));
-            sum += dot(radiance, radiance);
-        }
-        return sum * solid_angle_of_row(y, environment.height());
-    });
-}
-
 }  // namespace
 
 Spectrum::Spectrum(int bands)
@@ -138,6 +127,17 @@ void Spectrum::measure_power(double total_power) {
             power_[size_t(m) + i / complex_rgb] +=
                 (m == 0 ? 1 : 2) * coefficients[i] * coefficients[i];
     }
+}
+
+double integral_of_square(const Environment& environment) {
+    return ordered_sum(environment.height(), [&](int y) {
+        double sum = 0;
+        for (int x = 0; x < environment.width(); ++x) {
+            const Vec3d radiance(environment.texel(x, y));
+            sum += dot(radiance, radiance);
+        }
+        return sum * solid_angle_of_row(y, environment.height());
+    });
 }
 
 Spectrum forward_transform(const Environment& environment, int bands) {

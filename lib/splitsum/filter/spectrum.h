@@ -48,4 +48,7 @@ private:
 /// orders. Memory: 6 floats a row and order, 24 bytes a coefficient.
 Spectrum forward_transform(const Environment& environment, int bands);
 
+/// ∫ L² dl over the sphere, the three channels together.
+double integral_of_square(const Environment& environment);
+
 }  // namespace splitsum

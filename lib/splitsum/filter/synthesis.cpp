@@ -125,9 +125,32 @@ void SphereGrid::continue_edges() {
         }
 }
 
-SphereGrid synthesize(const Spectrum& spectrum, std::span<const double> factors) {
+double interpolation_error(double angle) {
+    // (5/2 3/2 1/2)² / 6!: the polynomial's nodes seen from the middle between two points.
+    return std::min(1.0, 4.9e-3 * std::pow(angle, 6));
+}
+
+GridSize grid_size(const Spectrum& spectrum, std::span<const double> factors, double accuracy) {
     const int bands = int(factors.size());
-    const int rings = std::max(2 * bands, 2 * SphereGrid::reach);
+    const auto bound = [&](int rings) {
+        double missed = 0, whole = 0;
+        for (int l = 0; l < bands; ++l) {
+            const double power = factors[size_t(l)] * factors[size_t(l)] * spectrum.power(l);
+            const double error = interpolation_error(l * pi / rings);
+            missed += error * error * power;
+            whole += power;
+        }
+        return whole > 0 ? std::sqrt(missed / whole) : 0.0;
+    };
+    const int most = std::max(8 * bands, 2 * SphereGrid::reach);
+    int rings = std::max(bands + bands % 2, 2 * SphereGrid::reach);
+    while (rings < most && bound(rings) > accuracy)
+        rings = std::min(most, rings + 2 * std::max(1, rings / 32));
+    return {rings, bound(rings)};
+}
+
+SphereGrid synthesize(const Spectrum& spectrum, std::span<const double> factors, int rings) {
+    const int bands = int(factors.size());
     SphereGrid grid(rings, Fft::fast_length(2 * rings));
     const RingFourier fourier = fourier_of_rings(spectrum, factors, NorthernRings(rings));
     const Fft fft(grid.columns(), Fft::Direction::inverse);

@@ -41,17 +41,29 @@ private:
     std::vector<float> points_;
 };
 
-/// The first factors.size() bands of the spectrum, band l multiplied by factors[l], on a grid of at
-/// least twice as many rings as bands and four times as many columns: half the spacing at which the
-/// highest band could just be told.
+/// How many rings a grid needs.
+struct GridSize {
+    int rings = 0;
+    double interpolation_bound = 0;  ///< relative error (rel_rms over the sphere)
+};
+
+/// The fewest rings for which interpolating the filtered spectrum (its first factors.size() bands)
+/// costs at most `accuracy`: band l, of l pi / rings radians from one point to the next, is missed by
+/// no more than the interpolation_error of that angle. At least one ring a band, so that nothing
+/// folds over; at most eight.
+GridSize grid_size(const Spectrum& spectrum, std::span<const double> factors, double accuracy);
+
+/// The largest error of `interpolate` for a wave that turns by `angle` radians from point to point:
+/// Lagrange's remainder with six points, 4.9e-3 angle⁶.
+double interpolation_error(double angle);
+
+/// The first factors.size() bands of the spectrum, band l multiplied by factors[l], on a grid of
+/// that many rings (even) and at least twice as many columns.
 /// Cost: rings * bands² / 4 steps of the Legendre recurrence, parallel over orders, and an FFT a
 /// ring. Error: fp32 rounding.
-SphereGrid synthesize(const Spectrum& spectrum, std::span<const double> factors);
+SphereGrid synthesize(const Spectrum& spectrum, std::span<const double> factors, int rings);
 
-/// The grid's function towards a unit direction, by Lagrange's polynomial through 6 x 6 points. The
-/// error grows with the sixth power of frequency times spacing: 7e-2 of a component at the highest
-/// band of synthesize, 1e-3 at half of it, 2e-5 at a quarter (tested), and lobes leave little of
-/// the highest.
+/// The grid's function towards a unit direction, by Lagrange's polynomial through 6 x 6 points.
 Vec3 interpolate(const SphereGrid& grid, const Vec3d& direction);
 
 }  // namespace splitsum

@@ -13,9 +13,9 @@ namespace splitsum {
 
 /// How hard a filter works, whatever it filters.
 struct FilterPlan {
-    std::string method = "filtered";  ///< a name from filter_methods()
-    int samples = 1024;               ///< directions per texel; ignored by `reference`
-    double accuracy = 3e-4;           ///< rel_rms that `spectral` may miss by
+    std::string method = "auto";      ///< a name from filter_methods()
+    int samples = 1024;               ///< directions per texel; of the sampling methods
+    double accuracy = 3e-4;           ///< rel_rms by which `auto` and `spectral` may miss, in [1e-5, 0.1]
     bool rotate_samples = false;      ///< turn the sample set by an angle hashed from the texel
     uint32_t seed = 0;                ///< of that hash; change it to see the noise
 };

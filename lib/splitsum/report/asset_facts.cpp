@@ -36,6 +36,7 @@ void describe_cubemap(const AssetFacts& facts, Metadata& metadata) {
     metadata["splitsum.source_color_space"] = facts.source.color_space;
     metadata["splitsum.repaired_texels"] = number_text(facts.source.repaired_texels);
     metadata["splitsum.method"] = facts.filter.method;
+    metadata["splitsum.accuracy"] = number_text(facts.filter.accuracy);
     metadata["splitsum.samples"] = number_text(facts.filter.samples);
     metadata["splitsum.rotate_samples"] = flag_text(facts.filter.rotate_samples);
     metadata["splitsum.seed"] = number_text(facts.filter.seed);
@@ -112,6 +113,7 @@ void read_cubemap(Reader& reader, AssetFacts& facts) {
     facts.source.color_space = reader.text("splitsum.source_color_space");
     facts.source.repaired_texels = reader.number<long>("splitsum.repaired_texels");
     facts.filter.method = reader.text("splitsum.method");
+    facts.filter.accuracy = reader.number<double>("splitsum.accuracy");
     facts.filter.samples = reader.number<int>("splitsum.samples");
     facts.filter.rotate_samples = reader.flag("splitsum.rotate_samples");
     facts.filter.seed = reader.number<uint32_t>("splitsum.seed");

@@ -42,8 +42,10 @@ Json files_json(const BakeReport& report) {
     return files;
 }
 
-Json stored_json(const LevelCheck& check, const EncodeCounts& counts) {
+Json stored_json(const LevelCheck& check, const EncodeCounts& counts,
+                 const LevelAccount& account) {
     Json json = check_json(check);
+    json.update(account_json(account));
     json["saturated"] = counts.saturated;
     json["negative"] = counts.negative;
     return json;
@@ -52,13 +54,14 @@ Json stored_json(const LevelCheck& check, const EncodeCounts& counts) {
 Json measured_json(const BakeReport& report) {
     Json specular = Json::array();
     for (size_t level = 0; level < report.specular.size(); ++level)
-        specular.push_back(stored_json(report.specular[level], report.specular_counts[level]));
+        specular.push_back(stored_json(report.specular[level], report.specular_counts[level],
+                                       report.accounts[level]));
     Json harmonics = check_json(report.harmonics);
     harmonics["lowest_share_of_mean"] = report.harmonics_lowest;
     return {{"against", "method reference, fp64, on the stored texels"},
             {"probes_per_level", report.probes},
             {"specular", specular},
-            {"irradiance", stored_json(report.irradiance, report.irradiance_counts)},
+            {"irradiance", stored_json(report.irradiance, report.irradiance_counts, report.accounts.back())},
             {"harmonics", harmonics}};
 }
 
@@ -80,6 +83,12 @@ std::string saturation_text(const BakeReport& report) {
     return text;
 }
 
+std::string clamped_text(const BakeReport& report) {
+    int64_t clamped = 0;
+    for (const LevelAccount& account : report.accounts) clamped += account.clamped_negative;
+    return cat(clamped, " values came out below 0 and are stored as 0");
+}
+
 }  // namespace
 
 std::string report_json(const BakeReport& report) {
@@ -98,16 +107,18 @@ std::string report_text(const BakeReport& report) {
     for (const std::string& note : report.notes) text << "note: " << note << "\n";
     text << "mean radiance " << rgb_text(report.source_mean_radiance) << ", exposure "
          << report.source.exposure_stops << " stops\n\n"
-         << "method " << report.specular_facts.filter.method << ", "
+         << "method " << report.specular_facts.filter.method << ", accuracy "
+         << report.specular_facts.filter.accuracy << ", "
          << report.specular_facts.filter.samples << " samples, convention "
          << report.specular_facts.orientation.convention << ", " << info_of(report.format).name
          << "\n\nError of the stored texels against exact integration:\n"
          << figures_heading();
     for (const LevelCheck& check : report.specular)
-        text << figures_line(cat("specular ", check.level), check);
-    text << figures_line("irradiance", report.irradiance)
+        text << figures_line(cat("specular ", check.level), check,
+                             &report.accounts[size_t(check.level)]);
+    text << figures_line("irradiance", report.irradiance, &report.accounts.back())
          << figures_line("harmonics", report.harmonics) << "\n"
-         << saturation_text(report) << "\n\nFiles:\n";
+         << saturation_text(report) << "\n" << clamped_text(report) << "\n\nFiles:\n";
     for (const WrittenFile& file : report.files)
         text << "  " << file.name << "  " << file.bytes << " bytes: " << file.what << "\n";
     return text.str();

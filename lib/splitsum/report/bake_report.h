@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "splitsum/filter/methods.h"
 #include "splitsum/report/asset_facts.h"
 #include "splitsum/texture/pixel_format.h"
 #include "splitsum/verify/check_levels.h"
@@ -31,6 +32,8 @@ struct BakeReport {
     PixelFormat format = PixelFormat::rgba16f;
 
     std::vector<WrittenFile> files;
+
+    std::vector<LevelAccount> accounts;  ///< how each specular level and the irradiance were made
 
     int probes = 0;  ///< texels measured a level
     std::vector<LevelCheck> specular;

@@ -12,6 +12,16 @@ Json figures_json(const ErrorFigures& figures) {
             {"texels", figures.texels}};
 }
 
+Json account_json(const LevelAccount& account) {
+    Json json = {{"method", account.method}, {"reason", account.reason}};
+    if (account.bands > 0) {
+        json["bands"] = account.bands;
+        json["error_bound"] = account.error_bound;
+    }
+    json["clamped_negative"] = account.clamped_negative;
+    return json;
+}
+
 Json check_json(const LevelCheck& check) {
     Json json = {{"level", check.level},
                  {"face_size", check.face_size},

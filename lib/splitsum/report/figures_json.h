@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "splitsum/filter/methods.h"
 #include "splitsum/measure/error_figures.h"
 #include "splitsum/verify/check_levels.h"
 
@@ -10,6 +11,9 @@ namespace splitsum {
 /// {"rel_rms": ..., "max_rel": ..., "max_abs": ..., "bias": ..., "texels": ...}; a figure that is
 /// not finite is null, because JSON has no other word for it.
 nlohmann::ordered_json figures_json(const ErrorFigures& figures);
+
+/// How a level was made: method, reason, bands, error_bound, clamped_negative.
+nlohmann::ordered_json account_json(const LevelAccount& account);
 
 /// A level's place, figures and mean radiance as one object.
 nlohmann::ordered_json check_json(const LevelCheck& check);

@@ -16,17 +16,22 @@ std::string figures_heading() {
     line << std::left << std::setw(name_width) << "" << std::right;
     for (const char* name : {"size", "roughness", "rel_rms", "max_rel", "bias", "probes"})
         line << std::setw(column_width) << name;
-    return line.str() + "\n";
+    return line.str() + "  method\n";
 }
 
-std::string figures_line(const std::string& what, const LevelCheck& check) {
+std::string figures_line(const std::string& what, const LevelCheck& check,
+                         const LevelAccount* account) {
     std::ostringstream line;
     line << std::left << std::setw(name_width) << what << std::right << std::setw(column_width)
          << check.face_size << std::setw(column_width) << std::fixed << std::setprecision(4)
          << check.perceptual_roughness << std::scientific << std::setprecision(2)
          << std::setw(column_width) << check.figures.rel_rms << std::setw(column_width)
          << check.figures.max_rel << std::setw(column_width) << check.figures.bias
-         << std::setw(column_width) << check.figures.texels << "\n";
+         << std::setw(column_width) << check.figures.texels;
+    if (account) line << "  " << account->method;
+    if (account && account->bands > 0)
+        line << ", " << account->bands << " bands, bound " << account->error_bound;
+    line << "\n";
     return line.str();
 }
 

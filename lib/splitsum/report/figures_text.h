@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 
+#include "splitsum/filter/methods.h"
 #include "splitsum/verify/check_levels.h"
 
 namespace splitsum {
@@ -10,7 +11,9 @@ namespace splitsum {
 /// The heading of the lines that figures_line writes.
 std::string figures_heading();
 
-/// One line of a table of figures for people; `what` stands in the first column.
-std::string figures_line(const std::string& what, const LevelCheck& check);
+/// One line of a table of figures for people; `what` stands in the first column. With an account,
+/// the method and its error bound end the line.
+std::string figures_line(const std::string& what, const LevelCheck& check,
+                         const LevelAccount* account = nullptr);
 
 }  // namespace splitsum

@@ -1,0 +1,55 @@
+#include "splitsum/filter/auto_method.h"
+
+#include <vector>
+
+#include "splitsum/base/text.h"
+#include "splitsum/filter/reference.h"
+#include "splitsum/filter/spectral.h"
+
+namespace splitsum {
+namespace {
+
+class AutoFilter final : public PreparedFilter {
+public:
+    AutoFilter(const Environment& environment, std::span<const Lobe> lobes, const FilterPlan& plan)
+        : spectral_(prepare_spectral(environment, lobes, plan)),
+          reference_(prepare_reference(environment, lobes, plan)),
+          accuracy_(plan.accuracy) {}
+
+    void evaluate(size_t lobe_index, const Directions& directions,
+                  std::span<Vec3> out) const override {
+        chosen(lobe_index).evaluate(lobe_index, directions, out);
+    }
+
+    LevelAccount account(size_t lobe_index) const override {
+        LevelAccount account = chosen(lobe_index).account(lobe_index);
+        const LevelAccount spectral = spectral_->account(lobe_index);
+        account.reason = bound_holds(lobe_index)
+                             ? cat("cheapest with an error bound under ", accuracy_)
+                             : cat("the bound of spectral, ", spectral.error_bound, ", is over ",
+                                   accuracy_);
+        return account;
+    }
+
+private:
+    bool bound_holds(size_t lobe_index) const {
+        return spectral_->account(lobe_index).error_bound <= accuracy_;
+    }
+
+    const PreparedFilter& chosen(size_t lobe_index) const {
+        return bound_holds(lobe_index) ? *spectral_ : *reference_;
+    }
+
+    std::unique_ptr<PreparedFilter> spectral_;
+    std::unique_ptr<PreparedFilter> reference_;
+    double accuracy_;
+};
+
+}  // namespace
+
+std::unique_ptr<PreparedFilter> prepare_auto(const Environment& environment,
+                                             std::span<const Lobe> lobes, const FilterPlan& plan) {
+    return std::make_unique<AutoFilter>(environment, lobes, plan);
+}
+
+}  // namespace splitsum

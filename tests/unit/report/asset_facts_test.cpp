@@ -1,0 +1,118 @@
+#include "splitsum/report/asset_facts.h"
+
+#include <gtest/gtest.h>
+
+namespace splitsum {
+namespace {
+
+AssetFacts cubemap_facts(AssetFacts::Kind kind) {
+    AssetFacts facts;
+    facts.kind = kind;
+    facts.source = {"a name = with spaces.exr", "xxh3-128:0123456789abcdef", "ACEScg", -1.1, 17};
+    facts.orientation = {0.1 + 0.2, true, "cmgen"};
+    facts.filter.method = "importance";
+    facts.filter.samples = 4097;
+    facts.filter.rotate_samples = true;
+    facts.filter.seed = 4294967295U;
+    if (kind == AssetFacts::Kind::irradiance) facts.stores_irradiance = true;
+    if (kind == AssetFacts::Kind::specular) {
+        facts.curve = {RoughnessCurve::Kind::filament, {}};
+        facts.perceptual_roughness = {0, 1 / 3.0, 1};
+    }
+    return facts;
+}
+
+AssetFacts table_facts() {
+    AssetFacts facts;
+    facts.kind = AssetFacts::Kind::split_sum;
+    facts.table.geometry = SmithTerm::schlick_sqrt;
+    facts.table.samples = 99;
+    return facts;
+}
+
+std::vector<AssetFacts> all_kinds() {
+    return {cubemap_facts(AssetFacts::Kind::specular), cubemap_facts(AssetFacts::Kind::irradiance),
+            table_facts()};
+}
+
+TEST(AssetFacts, SurviveTheRoundTripToTheLastBit) {
+    for (const AssetFacts& facts : all_kinds()) {
+        const auto read = facts_of(metadata_of(facts));
+        ASSERT_TRUE(read) << read.error().message;
+        EXPECT_EQ(read->kind, facts.kind);
+        EXPECT_EQ(read->source.name, facts.source.name);
+        EXPECT_EQ(read->source.hash, facts.source.hash);
+        EXPECT_EQ(read->source.color_space, facts.source.color_space);
+        EXPECT_EQ(read->source.exposure_stops, facts.source.exposure_stops);
+        EXPECT_EQ(read->source.repaired_texels, facts.source.repaired_texels);
+        EXPECT_EQ(read->orientation.rotate_degrees, facts.orientation.rotate_degrees);
+        EXPECT_EQ(read->orientation.mirror, facts.orientation.mirror);
+        EXPECT_EQ(read->orientation.convention, facts.orientation.convention);
+        EXPECT_EQ(read->filter.method, facts.filter.method);
+        if (facts.kind != AssetFacts::Kind::split_sum) {
+            EXPECT_EQ(read->filter.samples, facts.filter.samples);
+        }
+        EXPECT_EQ(read->filter.rotate_samples, facts.filter.rotate_samples);
+        EXPECT_EQ(read->filter.seed, facts.filter.seed);
+        EXPECT_EQ(read->curve.kind, facts.curve.kind);
+        EXPECT_EQ(read->perceptual_roughness, facts.perceptual_roughness);
+        EXPECT_EQ(read->stores_irradiance, facts.stores_irradiance);
+        EXPECT_EQ(read->table.geometry, facts.table.geometry);
+        EXPECT_EQ(metadata_of(*read), metadata_of(facts));
+    }
+}
+
+TEST(AssetFacts, KeepAListOfRoughness) {
+    AssetFacts facts = cubemap_facts(AssetFacts::Kind::specular);
+    facts.curve = {RoughnessCurve::Kind::list, facts.perceptual_roughness};
+    const auto read = facts_of(metadata_of(facts));
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->curve.kind, RoughnessCurve::Kind::list);
+    EXPECT_EQ(read->curve.list, facts.perceptual_roughness);
+}
+
+// What only tells people something; everything else is needed.
+bool is_for_people(const std::string& key, AssetFacts::Kind kind) {
+    return key == "splitsum.version" || key == "splitsum.color_space" || key == "splitsum.axes" ||
+           (key == "splitsum.value" && kind != AssetFacts::Kind::irradiance);
+}
+
+TEST(AssetFacts, NameTheKeyThatIsMissing) {
+    for (const AssetFacts& facts : all_kinds()) {
+        const auto metadata = metadata_of(facts);
+        for (const auto& [key, value] : metadata) {
+            auto shorter = metadata;
+            shorter.erase(key);
+            const auto read = facts_of(shorter);
+            ASSERT_EQ(bool(read), is_for_people(key, facts.kind)) << key;
+            if (read) continue;
+            EXPECT_EQ(read.error().kind, ErrorKind::unusable_input);
+            EXPECT_NE(read.error().message.find(key), std::string::npos) << read.error().message;
+        }
+    }
+}
+
+TEST(AssetFacts, NameTheValueThatIsNoNumber) {
+    const auto metadata = metadata_of(cubemap_facts(AssetFacts::Kind::specular));
+    for (const char* key :
+         {"splitsum.samples", "splitsum.seed", "splitsum.rotate_degrees", "splitsum.exposure_stops",
+          "splitsum.repaired_texels", "splitsum.perceptual_roughness"})
+        for (const char* value : {"", "many", "12px"}) {
+            if (key == std::string("splitsum.perceptual_roughness") && *value == 0) continue;
+            auto spoilt = metadata;
+            spoilt[key] = value;
+            const auto read = facts_of(spoilt);
+            ASSERT_FALSE(read) << key << "=" << value;
+            EXPECT_NE(read.error().message.find(key), std::string::npos) << read.error().message;
+        }
+}
+
+TEST(AssetFacts, RefuseAnUnknownKind) {
+    const auto read = facts_of({{"splitsum.asset", "sound"}});
+    ASSERT_FALSE(read);
+    EXPECT_NE(read.error().message.find("sound"), std::string::npos);
+    EXPECT_FALSE(facts_of({}));
+}
+
+}  // namespace
+}  // namespace splitsum
