@@ -16,10 +16,9 @@ INSTANTIATE_TEST_SUITE_P(Methods, Roughness, testing::ValuesIn(reflection_method
 // to within its texels: `reference` differs from a lookup by half of one, 128 rows high.
 TEST_P(Roughness, IsRightDownToNothing) {
     const Environment sky = lopsided_sky(128, 0);
-    const std::vector<double> roughness = {0,    1e-4, 1e-3, 0.005, 0.01, 0.02, 0.045,
-                                           0.08, 0.1,  0.2,  0.4,   0.7,  1};
-    const auto levels = levels_by(GetParam(), sky, roughness, 8);
-    const auto truth = levels_by("reference", sky, roughness, 8);
+    const std::vector<double> roughness = {0, 1e-4, 1e-3, 0.01, 0.045, 0.1, 0.3, 1};
+    const auto levels = levels_by(GetParam(), sky, roughness, 6);
+    const auto truth = levels_by("reference", sky, roughness, 6);
     for (size_t i = 0; i < roughness.size(); ++i) {
         SCOPED_TRACE(roughness[i]);
         expect_light(levels[i]);

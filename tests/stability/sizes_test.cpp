@@ -10,14 +10,14 @@
 namespace splitsum::tests {
 namespace {
 
-const std::vector<double> roughness = {0, 0.05, 0.5, 1};
+const std::vector<double> roughness = {0, 0.1, 0.5, 1};
 
 class Sizes : public EveryReflectionMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Sizes, testing::ValuesIn(reflection_methods()));
 
 TEST_P(Sizes, OfOneTwoAndOddRowsWork) {
-    for (const int rows : {1, 2, 3, 5, 17})
-        for (const int face_size : {1, 3, 8}) {
+    for (const int rows : {1, 2, 5})
+        for (const int face_size : {1, 8}) {
             const Environment sky = lopsided_sky(rows, 0);
             const auto levels = levels_by(GetParam(), sky, roughness, face_size);
             const Vec3d mean = mean_radiance(sky);
@@ -33,7 +33,7 @@ TEST_P(Sizes, OfOneTwoAndOddRowsWork) {
 }
 
 TEST_P(Sizes, KeepAConstant) {
-    for (const int rows : {1, 2, 7, 64}) {
+    for (const int rows : {1, 2, 7, 32}) {
         const Environment grey =
             environment_of(rows, [](const Vec3d&) { return Vec3(0.7f, 3.0f, 1e4f); });
         for (const Cubemap& level : levels_by(GetParam(), grey, roughness, 8))
@@ -75,9 +75,8 @@ TEST(ManyTexels, LoseNoLight) {
     const double mean =
         harmonics_of_environment(grey, 0, Mat3d(1))[0].x / std::sqrt(4 * std::numbers::pi);
     EXPECT_NEAR(mean, 0.7, 1e-6);
-    for (const double r : {0.0, 1.0})
-        for (const Vec3& texel : levels_by("filtered", grey, {r}, 2)[0].texels)
-            ASSERT_NEAR(texel.x, 0.7, 1e-6) << r;
+    for (const Cubemap& level : levels_by("filtered", grey, {0, 1}, 2))
+        for (const Vec3& texel : level.texels) ASSERT_NEAR(texel.x, 0.7, 1e-6);
 }
 
 }  // namespace

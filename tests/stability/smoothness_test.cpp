@@ -7,7 +7,7 @@
 namespace splitsum::tests {
 namespace {
 
-constexpr int size = 32;
+constexpr int size = 16;
 const std::vector<double> roughness = {0, 0.15, 0.4, 1};
 
 class Smoothness : public EveryReflectionMethod {};
@@ -43,7 +43,7 @@ Steps steps_of(const Cubemap& level) {
 }
 
 TEST_P(Smoothness, OfASmoothSkyGoesOverTheEdges) {
-    for (const auto& level : levels_by(GetParam(), lopsided_sky(128, 0), roughness, size)) {
+    for (const auto& level : levels_by(GetParam(), lopsided_sky(64, 0), roughness, size)) {
         const Steps steps = steps_of(level);
         EXPECT_GT(steps.inside, 1e-3f);
         EXPECT_LE(steps.across, steps.inside);
@@ -77,7 +77,7 @@ float roughest(const Cubemap& level, const Counts& counts) {
 // No dot and no star where the panorama's rows shrink to a point: the middle of the +Y and -Y faces
 // is as smooth as the rest of them, or varies by less than 1/1000 of the light.
 TEST_P(Smoothness, OfASmoothSkyGoesOverThePoles) {
-    const auto levels = levels_by(GetParam(), lopsided_sky(128, 0), roughness, size);
+    const auto levels = levels_by(GetParam(), lopsided_sky(64, 0), roughness, size);
     for (size_t i = 0; i < levels.size(); ++i) {
         const auto near_pole = [](int x, int y) {
             return std::hypot(x + 0.5 - size / 2, y + 0.5 - size / 2) < 3;

@@ -43,7 +43,7 @@ private:
 /// power there.
 ///
 /// Error: about 1e-7 of the row's largest coefficients (the FFT is fp32, everything after it fp64),
-/// and at the highest band 1e-3 relatively for the Gauss points, much less below it.
+/// and 1e-5 at the highest band for the Gauss points, much less below it.
 /// Cost: rows * bands² / 4 steps of the Legendre recurrence for each Gauss point, in parallel over
 /// orders. Memory: 6 floats a row and order, 24 bytes a coefficient.
 Spectrum forward_transform(const Environment& environment, int bands);

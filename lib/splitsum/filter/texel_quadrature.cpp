@@ -109,9 +109,12 @@ TexelQuadrature::RowParts TexelQuadrature::hemisphere_parts(const Lobe& lobe,
 
 TexelQuadrature::RowParts TexelQuadrature::cap_parts(const Lobe& lobe, const Towards& towards,
                                                      int y, double radius) const {
+    // At the row's polar angle that is closest to the lobe's, so that a cap smaller than a texel
+    // still has the texels it touches.
+    const double closest =
+        std::clamp(towards.theta, y * row_height(), (y + 1) * row_height());
     const double reach =
-        azimuth_within((y + 0.5) * row_height(), towards.theta, versine_of(radius)) /
-        column_width();
+        azimuth_within(closest, towards.theta, versine_of(radius)) / column_width();
     if (reach == 0) return {};
     RowParts parts;
     parts.begin = int(std::floor(towards.column - reach));

@@ -22,7 +22,7 @@ public:
     /// Cost: half the texels times four evaluations of the lobe, 1 ms for 1024 x 512 on one core.
     Vec3d over_hemisphere(const Lobe& lobe, const Vec3d& direction) const;
 
-    /// The same over the texels whose rows' middles lie within `radius` radians (below pi / 2).
+    /// The same over the texels within `radius` radians (below pi / 2), about as many.
     Vec3d over_cap(const Lobe& lobe, const Vec3d& direction, double radius) const;
 
 private:
