@@ -34,7 +34,7 @@ CubemapOutputOptions::CubemapOutputOptions(CLI::App& app, const std::string& wha
         ->check(not_empty());
     app.add_option("--probes", probes_,
                    "texels per level whose error against exact integration is measured, 0 for none "
-                   "(default 64)")
+                   "(default 64, fewer above 1024 x 512)")
         ->option_text("COUNT")
         ->check(whole_number(0, 1 << 24));
     app.add_flag("--json", json_, "print the figures as JSON");
@@ -53,7 +53,8 @@ Status CubemapOutputOptions::measure_and_write(const CubemapAsset& asset,
     const auto facts = facts_of(asset.texture.metadata);
     if (!facts) return facts.error();
     const auto checks =
-        check_cubemap_asset(asset.levels, *facts, light.environment, probes_, progress);
+        check_cubemap_asset(asset.levels, *facts, light.environment,
+                                            probes(light.environment), progress);
     if (!checks) return checks.error();
     if (const Status written = write_texture(asset.texture, path_, container); !written)
         return written;

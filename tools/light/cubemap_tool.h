@@ -52,11 +52,14 @@ public:
     void print(const std::vector<LevelCheck>& checks, const std::vector<LevelAccount>& accounts,
                const std::vector<EncodeCounts>& counts, const Light& light) const;
 
-    int probes() const { return probes_; }
+    /// As asked for, else affordable_probes.
+    int probes(const Environment& environment) const {
+        return probes_ >= 0 ? probes_ : affordable_probes(environment);
+    }
 
 private:
     std::filesystem::path path_;
-    int probes_ = 64;
+    int probes_ = -1;  // not asked for
     bool json_ = false;
 };
 

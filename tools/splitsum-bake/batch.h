@@ -25,7 +25,7 @@ struct BatchOptions {
     FilterOptions filter;
     EncodingOptions encoding;
     JsonOption json;
-    int probes = 64;
+    std::optional<int> probes;
     bool no_picture = false;
 };
 

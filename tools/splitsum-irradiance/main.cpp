@@ -36,10 +36,10 @@ Status write_series(const tools::Light& light, const IrradiancePlan& plan, const
     const IrradianceHarmonics harmonics = irradiance_harmonics(
         light.environment, plan.harmonics_order, plan.windowed, panorama_from_cube);
     std::vector<LevelCheck> checks;
-    if (output.probes() > 0) {
-        progress.begin("measuring", output.probes());
+    if (const int probes = output.probes(light.environment); probes > 0) {
+        progress.begin("measuring", probes);
         const auto check = check_harmonics(
-            harmonics, {light.environment, panorama_from_cube, output.probes()}, progress);
+            harmonics, {light.environment, panorama_from_cube, probes}, progress);
         if (!check) return check.error();
         checks.push_back(*check);
     }

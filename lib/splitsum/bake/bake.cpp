@@ -40,8 +40,9 @@ Result<BakedAssets> make_assets(const Environment& environment, const BakePlan& 
 // Fills in the figures of the report.
 Status measure(const BakedAssets& assets, const Environment& environment, const BakePlan& plan,
                BakeReport& report, Progress& progress) {
-    const CheckedAgainst truth{environment, panorama_from_cube(plan.orientation), plan.probes};
-    progress.begin("measuring", plan.probes * (plan.specular.levels + 2));
+    const int probes = plan.probes.value_or(affordable_probes(environment));
+    const CheckedAgainst truth{environment, panorama_from_cube(plan.orientation), probes};
+    progress.begin("measuring", probes * (plan.specular.levels + 2));
     auto specular = check_specular(assets.specular.levels,
                                    report.specular_facts.perceptual_roughness, truth, progress);
     if (!specular) return specular.error();
@@ -53,7 +54,7 @@ Status measure(const BakedAssets& assets, const Environment& environment, const 
     if (!harmonics) return harmonics.error();
 
     report.accounts = assets.accounts;
-    report.probes = plan.probes;
+    report.probes = probes;
     report.specular = std::move(*specular);
     report.specular_counts = assets.specular.counts;
     report.irradiance = *irradiance;
@@ -113,9 +114,9 @@ Status write_files(const BakedAssets& assets, const BakePlan& plan,
 }  // namespace
 
 Status validate(const BakePlan& plan) {
-    if (plan.probes < 1)
+    if (plan.probes && *plan.probes < 1)
         return Error{ErrorKind::bad_argument,
-                     cat("at least 1 probe a level is needed, got ", plan.probes)};
+                     cat("at least 1 probe a level is needed, got ", *plan.probes)};
     if (const Status valid = validate(plan.specular); !valid) return valid;
     if (const Status valid = validate(plan.irradiance); !valid) return valid;
     if (const Status valid = validate(plan.filter); !valid) return valid;

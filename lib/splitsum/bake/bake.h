@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "splitsum/base/progress.h"
 #include "splitsum/base/result.h"
@@ -20,7 +21,8 @@ struct BakePlan {
     Orientation orientation;
     PixelFormat format = PixelFormat::rgba16f;
     ContainerOptions container;
-    int probes = 64;       ///< texels a level that are measured against exact integration
+    /// Texels a level that are measured against exact integration; affordable_probes if not given.
+    std::optional<int> probes;
     bool picture = true;   ///< write contact.png
 };
 

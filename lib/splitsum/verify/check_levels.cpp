@@ -92,6 +92,12 @@ Result<LevelCheck> check_cubemap(const Cubemap& cubemap, const Lobe& lobe,
 
 }  // namespace
 
+int affordable_probes(const Environment& environment) {
+    constexpr double texels_of_64_probes = 2.0 * 512 * 512;
+    const double texels = double(environment.width()) * environment.height();
+    return std::clamp(int(64 * texels_of_64_probes / texels), 4, 64);
+}
+
 Result<std::vector<LevelCheck>> check_specular(std::span<const Cubemap> levels,
                                                std::span<const double> perceptual_roughness,
                                                const CheckedAgainst& truth, Progress& progress) {

@@ -22,6 +22,10 @@ struct LevelCheck {
     Vec3d mean_radiance{0};           ///< over the whole level
 };
 
+/// How many probes a level a bake can spend: 64 for panoramas of up to 512 rows, for larger ones
+/// fewer, so that measuring takes no longer, but at least 4.
+int affordable_probes(const Environment& environment);
+
 /// How the stored texels relate to the panorama.
 struct CheckedAgainst {
     const Environment& environment;
