@@ -30,7 +30,7 @@ void PrintTo(const Case& c, std::ostream* out) {
 // How far each method may be from the truth on smooth light with the samples below; measured
 // values are about half of these.
 double tolerance(const Case& c) {
-    if (c.method.name == "reference") return 2e-6;
+    if (c.method.name == "reference") return 1e-6;
     return c.method.name == "spectral" || c.method.name == "auto" ? 1e-4 : 4e-3;
 }
 

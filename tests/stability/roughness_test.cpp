@@ -13,26 +13,26 @@ INSTANTIATE_TEST_SUITE_P(Methods, Roughness, testing::ValuesIn(reflection_method
 
 // On the way to 0 nothing must blow up, get lost in cancellation or jump: a widely used baker is
 // 2.9 % off at 0.045 and 88 % at 0.02. The sky is smooth, so that the truth is known to every method
-// to within its texels: `reference` differs from a lookup by half of one, 128 rows high.
+// to within its texels: `reference` differs from a lookup by half of one, 64 rows high.
 TEST_P(Roughness, IsRightDownToNothing) {
-    const Environment sky = lopsided_sky(128, 0);
-    const std::vector<double> roughness = {0, 1e-4, 1e-3, 0.01, 0.045, 0.1, 0.3, 1};
+    const Environment sky = lopsided_sky(64, 0);
+    const std::vector<double> roughness = {0, 1e-4, 1e-3, 0.01, 0.045, 0.2, 1};
     const auto levels = levels_by(GetParam(), sky, roughness, 6);
     const auto truth = levels_by("reference", sky, roughness, 6);
     for (size_t i = 0; i < roughness.size(); ++i) {
         SCOPED_TRACE(roughness[i]);
         expect_light(levels[i]);
         const ErrorFigures figures = error_figures(levels[i].texels, truth[i].texels);
-        EXPECT_LT(figures.rel_rms, 1e-2);
-        EXPECT_LT(std::abs(figures.bias), 5e-3);
+        EXPECT_LT(figures.rel_rms, 2e-2);
+        EXPECT_LT(std::abs(figures.bias), 1e-2);
     }
 }
 
 // A level of roughness 1e-4 is the mirror image to within a texel of the panorama.
 TEST_P(Roughness, NextToNothingIsTheMirror) {
-    const Environment sky = lopsided_sky(128, 0);
-    const auto levels = levels_by(GetParam(), sky, {0, 1e-4}, 16);
-    EXPECT_LT(error_figures(levels[1].texels, levels[0].texels).rel_rms, 1e-2);
+    const Environment sky = lopsided_sky(64, 0);
+    const auto levels = levels_by(GetParam(), sky, {0, 1e-4}, 8);
+    EXPECT_LT(error_figures(levels[1].texels, levels[0].texels).rel_rms, 2e-2);
 }
 
 TEST(GrazingViews, AreFiniteAndRight) {

@@ -90,6 +90,7 @@ TEST(Orientation, TravelsInTheFile) {
                                                       "rel_rms=2e-3"};
             const auto right = run_tool("splitsum-compare", compare);
             EXPECT_EQ(right.exit_code, 0) << right.out << right.err;
+            if (!layout.options.empty()) continue;
             auto turned = compare;  // what the user says overrules what the file says
             turned.insert(turned.end(), {"--rotate", "5"});
             EXPECT_EQ(run_tool("splitsum-compare", turned).exit_code, 1);

@@ -8,13 +8,11 @@
 
 namespace splitsum {
 
-double lobe_integral(const Lobe& lobe) {
-    if (lobe.kind == LobeKind::cosine) return std::numbers::pi;
+double lobe_integral_within(const Lobe& lobe, double radius) {
     const QuadratureRule rule = gauss_legendre(16);
-    const double horizon = 0.5 * std::numbers::pi;
     double sum = 0;
-    for (double from = 0; from < horizon;) {
-        const double to = std::min(horizon, from + 0.5 * std::max(from, lobe_width(lobe)));
+    for (double from = 0; from < radius;) {
+        const double to = std::min(radius, from + 0.5 * std::max(from, lobe_width(lobe)));
         sum += integrate(rule, from, to, [&](double theta) {
             const double half = std::sin(0.5 * theta);
             return lobe_value(lobe, 2 * half * half) * std::sin(theta);
@@ -22,6 +20,10 @@ double lobe_integral(const Lobe& lobe) {
         from = to;
     }
     return 2 * std::numbers::pi * sum;
+}
+
+double lobe_integral(const Lobe& lobe) {
+    return lobe_integral_within(lobe, 0.5 * std::numbers::pi);
 }
 
 }  // namespace splitsum

@@ -38,9 +38,12 @@ inline double lobe_width(const Lobe& lobe) {
     return lobe.kind == LobeKind::ggx ? 2 * lobe.alpha : 1.0;
 }
 
-/// ∫ K dl over the sphere, what a lobe's values are divided by. Closed form for the cosine (pi);
-/// for GGX Gauss-Legendre on panels that grow from the peak, to 1e-14 relatively (tested against
-/// the closed form). alpha > 0. Cost: about a thousand evaluations.
+/// ∫ K dl over the directions within `radius` radians of the peak, at most pi / 2, beyond which K
+/// is 0. Gauss-Legendre on panels that grow from the peak, to 1e-14 relatively (tested against
+/// closed forms). alpha > 0. Cost: about a thousand evaluations.
+double lobe_integral_within(const Lobe& lobe, double radius);
+
+/// ∫ K dl over the sphere, what a lobe's values are divided by; pi for the cosine.
 double lobe_integral(const Lobe& lobe);
 
 }  // namespace splitsum

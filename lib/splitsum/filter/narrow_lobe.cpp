@@ -4,25 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "splitsum/math/quadrature.h"
-
 namespace splitsum {
 namespace {
-
-// ∫ K dl over the directions within `radius` of the peak, on panels that grow from the peak.
-double integral_over_cap(const Lobe& lobe, double radius) {
-    const QuadratureRule rule = gauss_legendre(16);
-    double sum = 0;
-    for (double from = 0; from < radius;) {
-        const double to = std::min(radius, from + 0.5 * std::max(from, lobe_width(lobe)));
-        sum += integrate(rule, from, to, [&](double theta) {
-            const double half = std::sin(0.5 * theta);
-            return lobe_value(lobe, 2 * half * half) * std::sin(theta);
-        });
-        from = to;
-    }
-    return 2 * std::numbers::pi * sum;
-}
 
 // Beyond s = sin²(theta / 2) the normalised lobes differ by 2 alpha² wide² / s³ to leading order,
 // which integrates to alpha² wide² / s² of the whole.
@@ -39,8 +22,8 @@ NarrowLobe::NarrowLobe(double alpha, double wide_alpha, double accuracy)
       share_(alpha * alpha / (wide_alpha * wide_alpha)),
       cap_radius_(cap_radius(alpha, wide_alpha, accuracy)) {
     const double integral = lobe_integral(lobe_), wide_integral = lobe_integral(wide_);
-    const double inside = integral_over_cap(lobe_, cap_radius_) / integral -
-                          share_ * integral_over_cap(wide_, cap_radius_) / wide_integral;
+    const double inside = lobe_integral_within(lobe_, cap_radius_) / integral -
+                          share_ * lobe_integral_within(wide_, cap_radius_) / wide_integral;
     const double whole = (1 - share_) / inside;
     factor_ = whole / integral;
     wide_factor_ = whole * share_ / wide_integral;

@@ -32,6 +32,7 @@ BakeReport some_report() {
     report.probes = 64;
     report.specular = {check_of(0, 1.25e-3), check_of(1, 2.5e-3)};
     report.specular_counts = {{7, 0}, {5, 0}};
+    report.accounts.resize(3);  // two levels and the irradiance
     report.irradiance = check_of(0, 3.5e-3);
     report.irradiance_counts = {1, 2};
     report.harmonics = check_of(0, 4.5e-3);
