@@ -4,9 +4,9 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <numeric>
 
 #include "splitsum/base/parallel.h"
-#include "splitsum/filter/fft.h"
 #include "splitsum/filter/legendre_kernels.h"
 #include "splitsum/math/quadrature.h"
 
@@ -16,67 +16,11 @@ namespace {
 constexpr double pi = std::numbers::pi;
 using Complex = std::complex<double>;
 
-// [order][even, odd][complex_rgb][row] floats: for each order, the Fourier coefficient of each
-// northern row plus (even) or minus (odd) that of its southern mirror.
-struct RowFourier {
-    size_t rows;  // padded
-    std::vector<float> values;
-
-    RowFourier(size_t padded_rows, int orders)
-        : rows(padded_rows), values(size_t(orders) * 2 * complex_rgb * padded_rows) {}
-
-    float* even(int m) { return values.data() + size_t(m) * 2 * complex_rgb * rows; }
-    float* odd(int m) { return even(m) + complex_rgb * rows; }
-};
-
 // ∫ e^(-i m phi) dphi over the first texel of a row.
 Complex first_texel(int m, int width) {
     const double left = -pi, step = 2 * pi / width;
     const double sinc = m == 0 ? 1 : std::sin(0.5 * m * step) / (0.5 * m * step);
     return std::polar(step * sinc, -m * (left + 0.5 * step));
-}
-
-// Row y and its mirror image, packed as real and imaginary part of one complex signal.
-void pack_rows(const Environment& environment, int y, int channel, std::span<FftValue> packed) {
-    const int mirror = environment.height() - 1 - y;
-    for (int x = 0; x < environment.width(); ++x)
-        packed[size_t(x)] = {environment.texel(x, y)[channel],
-                             mirror == y ? 0.0f : environment.texel(x, mirror)[channel]};
-}
-
-void transform_row_pair(const Environment& environment, int y, const std::vector<Complex>& texel,
-                        const Fft& fft, RowFourier& fourier) {
-    const size_t width = size_t(environment.width());
-    std::vector<FftValue> packed(width), bins(width);
-    for (int channel = 0; channel < 3; ++channel) {
-        pack_rows(environment, y, channel, packed);
-        fft.transform(packed, bins);
-        for (int m = 0; m < std::ssize(texel); ++m) {
-            const size_t bin = size_t(m) % width;
-            const FftValue z = bins[bin], w = bins[(width - bin) % width];
-            const Complex north(0.5 * (z.r + w.r), 0.5 * (z.i - w.i));
-            const Complex south(0.5 * (z.i + w.i), 0.5 * (w.r - z.r));
-            const Complex even = texel[size_t(m)] * (north + south);
-            const Complex odd = texel[size_t(m)] * (north - south);
-            const size_t real = size_t(channel) * fourier.rows + size_t(y);
-            const size_t imaginary = real + 3 * fourier.rows;
-            fourier.even(m)[real] = float(even.real());
-            fourier.even(m)[imaginary] = float(even.imag());
-            fourier.odd(m)[real] = float(odd.real());
-            fourier.odd(m)[imaginary] = float(odd.imag());
-        }
-    }
-}
-
-RowFourier fourier_of_rows(const Environment& environment, int orders) {
-    const int pairs = (environment.height() + 1) / 2;
-    RowFourier fourier(padded(size_t(pairs)), orders);
-    std::vector<Complex> texel;
-    for (int m = 0; m < orders; ++m) texel.push_back(first_texel(m, environment.width()));
-    const Fft fft(environment.width(), Fft::Direction::forward);
-    parallel_rows(pairs,
-                  [&](int y) { transform_row_pair(environment, y, texel, fft, fourier); });
-    return fourier;
 }
 
 // One more Gauss point than it takes for the highest band to turn by 1.6 radians from one to the
@@ -101,6 +45,30 @@ LegendreRows gauss_rows(int height, int bands) {
             rows.weight[i] = 0.5 * step * rule.weights[point] * rows.sine[i];
         }
     return rows;
+}
+
+// The sum of a northern row and its southern mirror, and their difference, for one order.
+struct FoldedRows {
+    std::vector<float> even, odd;  // [complex_rgb][padded pairs]
+
+    FoldedRows(const float* rows, int height, size_t padded_pairs)
+        : even(complex_rgb * padded_pairs), odd(complex_rgb * padded_pairs) {
+        for (size_t c = 0; c < complex_rgb; ++c)
+            for (int y = 0; y < (height + 1) / 2; ++y) {
+                const int mirror = height - 1 - y;
+                const float north = rows[c * size_t(height) + size_t(y)];
+                const float south = mirror == y ? 0 : rows[c * size_t(height) + size_t(mirror)];
+                even[c * padded_pairs + size_t(y)] = north + south;
+                odd[c * padded_pairs + size_t(y)] = north - south;
+            }
+    }
+};
+
+double square_of_row(const float* texels, int width, int floats_per_texel) {
+    double sum = 0;
+    for (int x = 0; x < width; ++x, texels += floats_per_texel)
+        for (int c = 0; c < 3; ++c) sum += double(texels[c]) * double(texels[c]);
+    return sum;
 }
 
 }  // namespace
@@ -130,29 +98,91 @@ void Spectrum::measure_power(double total_power) {
     }
 }
 
-double integral_of_square(const Environment& environment) {
-    return ordered_sum(environment.height(), [&](int y) {
-        double sum = 0;
-        for (int x = 0; x < environment.width(); ++x) {
-            const Vec3d radiance(environment.texel(x, y));
-            sum += dot(radiance, radiance);
-        }
-        return sum * solid_angle_of_row(y, environment.height());
+// Two rows, packed as real and imaginary part of one complex signal; the second may be missing.
+struct SpectrumBuilder::RowPair {
+    int first_row;
+    const float* first;
+    const float* second;
+    int floats_per_texel;
+};
+
+SpectrumBuilder::SpectrumBuilder(int height, int bands)
+    : height_(height),
+      bands_(bands),
+      fft_(2 * height, Fft::Direction::forward),
+      fourier_(size_t(bands) * complex_rgb * size_t(height)),
+      row_power_(size_t(height)) {
+    for (int m = 0; m < bands; ++m) first_texel_.push_back(splitsum::first_texel(m, 2 * height));
+}
+
+void SpectrumBuilder::add_rows(int first_row, int row_count, const float* texels,
+                               int floats_per_texel) {
+    const int width = 2 * height_;
+    const auto row = [&](int i) {
+        return texels + size_t(i) * size_t(width) * size_t(floats_per_texel);
+    };
+    parallel_rows((row_count + 1) / 2, [&](int pair) {
+        const bool two = 2 * pair + 1 < row_count;
+        transform({first_row + 2 * pair, row(2 * pair), two ? row(2 * pair + 1) : nullptr,
+                   floats_per_texel});
+        for (int i = 2 * pair; i < 2 * pair + (two ? 2 : 1); ++i)
+            row_power_[size_t(first_row + i)] = square_of_row(row(i), width, floats_per_texel) *
+                                                solid_angle_of_row(first_row + i, height_);
     });
 }
 
-Spectrum forward_transform(const Environment& environment, int bands) {
-    RowFourier fourier = fourier_of_rows(environment, bands);
-    const LegendreRows rows = gauss_rows(environment.height(), bands);
-    Spectrum spectrum(bands);
-    parallel_rows(bands, [&](int m) {
-        const LegendreOrder order(m, bands);
-        const size_t first = first_relevant_angle(m, bands, {rows.sine.data(), rows.rows});
-        integrate_order(order, bands, rows, first, fourier.even(m), fourier.odd(m),
-                        spectrum.order(m).data());
+void SpectrumBuilder::transform(const RowPair& rows) {
+    const size_t width = 2 * size_t(height_), height = size_t(height_);
+    std::vector<FftValue> packed(width), bins(width);
+    for (size_t channel = 0; channel < 3; ++channel) {
+        for (size_t x = 0; x < width; ++x) {
+            const size_t at = x * size_t(rows.floats_per_texel) + channel;
+            packed[x] = {rows.first[at], rows.second ? rows.second[at] : 0.0f};
+        }
+        fft_.transform(packed, bins);
+        for (int m = 0; m < bands_; ++m) {
+            const size_t bin = size_t(m) % width;
+            const FftValue z = bins[bin], w = bins[(width - bin) % width];
+            const Complex texel = first_texel_[size_t(m)];
+            const Complex first = texel * Complex(0.5 * (z.r + w.r), 0.5 * (z.i - w.i));
+            float* real = row_values(m) + channel * height + size_t(rows.first_row);
+            float* imaginary = real + 3 * height;
+            real[0] = float(first.real());
+            imaginary[0] = float(first.imag());
+            if (!rows.second) continue;
+            const Complex second = texel * Complex(0.5 * (z.i + w.i), 0.5 * (w.r - z.r));
+            real[1] = float(second.real());
+            imaginary[1] = float(second.imag());
+        }
+    }
+}
+
+Spectrum SpectrumBuilder::finish() const {
+    const LegendreRows rows = gauss_rows(height_, bands_);
+    Spectrum spectrum(bands_);
+    parallel_rows(bands_, [&](int m) {
+        const FoldedRows folded(row_values(m), height_, rows.rows);
+        const size_t first = first_relevant_angle(m, bands_, {rows.sine.data(), rows.rows});
+        integrate_order(LegendreOrder(m, bands_), bands_, rows, first, folded.even.data(),
+                        folded.odd.data(), spectrum.order(m).data());
     });
-    spectrum.measure_power(integral_of_square(environment));
+    spectrum.measure_power(std::accumulate(row_power_.begin(), row_power_.end(), 0.0));
     return spectrum;
+}
+
+Spectrum forward_transform(const Environment& environment, int bands) {
+    SpectrumBuilder builder(environment.height(), bands);
+    builder.add_rows(0, environment.height(), environment.texels().data(), 4);
+    return builder.finish();
+}
+
+double integral_of_square(const Environment& environment) {
+    return ordered_sum(environment.height(), [&](int y) {
+        const float* row = environment.texels().data() +
+                           4 * size_t(y) * size_t(environment.width());
+        return square_of_row(row, environment.width(), 4) *
+               solid_angle_of_row(y, environment.height());
+    });
 }
 
 }  // namespace splitsum

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <complex>
 #include <span>
 #include <vector>
 
+#include "splitsum/filter/fft.h"
 #include "splitsum/sphere/environment.h"
 
 namespace splitsum {
@@ -28,7 +30,7 @@ public:
     double total_power() const { return total_power_; }
 
 private:
-    friend Spectrum forward_transform(const Environment& environment, int bands);
+    friend class SpectrumBuilder;
     void measure_power(double total_power);
 
     int bands_;
@@ -37,15 +39,43 @@ private:
     double total_power_ = 0;
 };
 
-/// The transform of the piecewise-constant environment: exact over each texel's azimuths (an FFT
-/// along each row, then the closed form of a texel's Fourier transform), Gauss points over each
-/// row's polar angles. `bands` may exceed the number of rows: a piecewise-constant function has
-/// power there.
+/// The transform of a piecewise-constant environment that arrives row by row, so that its texels
+/// need not be kept: exact over each texel's azimuths (an FFT along each row, then the closed form
+/// of a texel's Fourier transform), Gauss points over each row's polar angles. `bands` may exceed
+/// the number of rows: a piecewise-constant function has power there.
 ///
 /// Error: about 1e-7 of the row's largest coefficients (the FFT is fp32, everything after it fp64),
 /// and 1e-5 at the highest band for the Gauss points, much less below it.
 /// Cost: rows * bands² / 4 steps of the Legendre recurrence for each Gauss point, in parallel over
-/// orders. Memory: 6 floats a row and order, 24 bytes a coefficient.
+/// orders. Memory: 6 floats a row and band, then 24 bytes a coefficient.
+class SpectrumBuilder {
+public:
+    SpectrumBuilder(int height, int bands);
+
+    /// Adds rows, in parallel; each row of the environment once, in any order. A texel is
+    /// `floats_per_texel` floats of which the first three are its radiance.
+    void add_rows(int first_row, int row_count, const float* texels, int floats_per_texel);
+
+    /// The spectrum, when every row was added.
+    Spectrum finish() const;
+
+private:
+    struct RowPair;
+    void transform(const RowPair& rows);
+    float* row_values(int m) { return fourier_.data() + size_t(m) * 6 * size_t(height_); }
+    const float* row_values(int m) const {
+        return fourier_.data() + size_t(m) * 6 * size_t(height_);
+    }
+
+    int height_;
+    int bands_;
+    Fft fft_;
+    std::vector<std::complex<double>> first_texel_;  // its Fourier transform, for each order
+    std::vector<float> fourier_;     // [order][real rgb, imaginary rgb][row]
+    std::vector<double> row_power_;  // ∫ L² over each row
+};
+
+/// SpectrumBuilder over the rows of an environment.
 Spectrum forward_transform(const Environment& environment, int bands);
 
 /// ∫ L² dl over the sphere, the three channels together.
