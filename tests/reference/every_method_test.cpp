@@ -54,8 +54,8 @@ std::vector<Case> cases() {
 std::vector<Vec3d> some_directions() {
     std::vector<Vec3d> directions = {{0, 1, 0}, {0, -1, 0}, {0, 0, -1}};
     for (int i = 0; i < 20; ++i)
-        directions.push_back(direction_of_lat_long(std::fmod(0.137 + 0.618034 * i, 1.0),
-                                                   (i + 0.5) / 20));
+        directions.push_back(
+            direction_of_lat_long(std::fmod(0.137 + 0.618034 * i, 1.0), (i + 0.5) / 20));
     return directions;
 }
 
@@ -106,12 +106,14 @@ TEST_P(EveryMethod, AConstantStaysConstant) {
 
 TEST_P(EveryMethod, IsLinear) {
     const Environment a = tests::lopsided_sky(32);
-    Environment b = tests::environment_of(32, [](const Vec3d& d) { return Vec3(float(d.y * d.y)); });
+    Environment b =
+        tests::environment_of(32, [](const Vec3d& d) { return Vec3(float(d.y * d.y)); });
     Environment sum(32);
     for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 64; ++x) sum.set_texel(x, y, a.texel(x, y) + 3.0f * b.texel(x, y));
     const std::vector<Vec3d> directions = some_directions();
-    const auto of_a = filtered(GetParam(), a, directions), of_b = filtered(GetParam(), b, directions);
+    const auto of_a = filtered(GetParam(), a, directions),
+               of_b = filtered(GetParam(), b, directions);
     const auto of_sum = filtered(GetParam(), sum, directions);
     // Methods that choose their effort by the scene may miss 3e-4 (rms over the sphere) each time,
     // and more in the dark part of it.
@@ -143,9 +145,8 @@ TEST_P(EveryMethod, AgreesWithReferenceOnALopsidedSkyWithASun) {
     const auto directions = some_directions();
     const Case reference{*find_filter_method("reference", LobeKind::ggx), GetParam().lobe};
     for (const bool rotate : {false, true}) {
-        const ErrorFigures figures =
-            error_figures(filtered(GetParam(), sky, directions, rotate),
-                          filtered(reference, sky, directions));
+        const ErrorFigures figures = error_figures(filtered(GetParam(), sky, directions, rotate),
+                                                   filtered(reference, sky, directions));
         EXPECT_LT(figures.rel_rms, agreement) << "rotate " << rotate;
     }
 }
@@ -185,8 +186,8 @@ TEST(RotatedSamples, DependOnTheTexelAndTheSeedAlone) {
         plan.samples = 32;
         plan.rotate_samples = true;
         plan.seed = seed;
-        const auto filter = find_filter_method("importance", LobeKind::ggx)
-                                ->prepare(sky, {&lobe, 1}, plan);
+        const auto filter =
+            find_filter_method("importance", LobeKind::ggx)->prepare(sky, {&lobe, 1}, plan);
         return filter_cubemap(*filter, 0, 4, Mat3d(1), first_key, progress)->cubemap.texels;
     };
     EXPECT_EQ(bake(1, 0), bake(1, 0));

@@ -41,9 +41,9 @@ Environment lit_by(const Polygon& light, int height) {
             int hits = 0;
             for (int j = 0; j < points; ++j)
                 for (int i = 0; i < points; ++i)
-                    hits += inside(light, direction_of_lat_long(
-                                              (x + (i + 0.5) / points) / environment.width(),
-                                              (y + (j + 0.5) / points) / height));
+                    hits += inside(
+                        light, direction_of_lat_long((x + (i + 0.5) / points) / environment.width(),
+                                                     (y + (j + 0.5) / points) / height));
             environment.set_texel(x, y, Vec3(float(hits) / (points * points)));
         }
     return environment;

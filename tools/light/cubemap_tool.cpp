@@ -21,12 +21,6 @@ std::vector<Choice> methods_for(LobeKind kind) {
     return choices;
 }
 
-Result<Light> load_light(const InputOptions& input, Progress& progress) {
-    const auto panorama = read_panorama(input.panorama(), input.plan(), progress);
-    if (!panorama) return panorama.error();
-    return Light{Environment(panorama->pixels), source_facts(*panorama), panorama->notes};
-}
-
 CubemapOutputOptions::CubemapOutputOptions(CLI::App& app, const std::string& what) {
     app.add_option("-o,--output", path_, cat(what, " as ", container_endings(), " (required)"))
         ->option_text("FILE")
@@ -34,10 +28,16 @@ CubemapOutputOptions::CubemapOutputOptions(CLI::App& app, const std::string& wha
         ->check(not_empty());
     app.add_option("--probes", probes_,
                    "texels per level whose error against exact integration is measured, 0 for none "
-                   "(default 64, fewer above 1024 x 512)")
+                   "(default 64, fewer above 1024 x 512, none above 2048 x 1024, where the "
+                   "panorama is streamed)")
         ->option_text("COUNT")
         ->check(whole_number(0, 1 << 24));
     app.add_flag("--json", json_, "print the figures as JSON");
+}
+
+int CubemapOutputOptions::probes(const Light& light) const {
+    if (probes_given()) return probes_;
+    return light.spectrum ? 0 : affordable_probes(light.environment);
 }
 
 Status CubemapOutputOptions::check() const {
@@ -53,8 +53,7 @@ Status CubemapOutputOptions::measure_and_write(const CubemapAsset& asset,
     const auto facts = facts_of(asset.texture.metadata);
     if (!facts) return facts.error();
     const auto checks =
-        check_cubemap_asset(asset.levels, *facts, light.environment,
-                                            probes(light.environment), progress);
+        check_cubemap_asset(asset.levels, *facts, light.environment, probes(light), progress);
     if (!checks) return checks.error();
     if (const Status written = write_texture(asset.texture, path_, container); !written)
         return written;
@@ -72,6 +71,8 @@ void CubemapOutputOptions::print(const std::vector<LevelCheck>& checks,
         nlohmann::ordered_json json = {
             {"file", path_.string()}, {"notes", light.notes}, {"saturated", saturated}};
         json["measured"] = nlohmann::ordered_json::array();
+        for (size_t i = 0; checks.empty() && i < accounts.size(); ++i)
+            json["made"].push_back(account_json(accounts[i]));
         for (size_t i = 0; i < checks.size(); ++i) {
             json["measured"].push_back(check_json(checks[i]));
             if (i < accounts.size()) json["measured"].back().update(account_json(accounts[i]));
@@ -83,6 +84,8 @@ void CubemapOutputOptions::print(const std::vector<LevelCheck>& checks,
     if (saturated > 0)
         std::cout << "note: " << saturated << " values were above the format's largest and are "
                   << "stored as that\n";
+    for (size_t i = 0; checks.empty() && i < accounts.size(); ++i)
+        std::cout << account_line(cat("level ", i), accounts[i]);
     if (!checks.empty()) std::cout << figures_heading();
     for (size_t i = 0; i < checks.size(); ++i)
         std::cout << figures_line(cat("level ", i), checks[i],

@@ -8,6 +8,7 @@
 
 #include "common/options.h"
 #include "splitsum/assets/cubemap_asset.h"
+#include "splitsum/bake/light.h"
 #include "splitsum/brdf/lobe.h"
 #include "splitsum/container/containers.h"
 #include "splitsum/filter/asset_levels.h"
@@ -21,15 +22,6 @@ namespace splitsum::tools {
 
 /// The rows of filter_methods() that filter such a lobe, for --method.
 std::vector<Choice> methods_for(LobeKind kind);
-
-/// A panorama as the filters see it.
-struct Light {
-    Environment environment;
-    SourceFacts source;
-    std::vector<std::string> notes;
-};
-
-Result<Light> load_light(const InputOptions& input, Progress& progress);
 
 /// --output, --probes, --json of a tool whose output is a cubemap.
 class CubemapOutputOptions {
@@ -45,17 +37,16 @@ public:
 
     /// Measures what will be stored, writes it and prints the figures.
     Status measure_and_write(const CubemapAsset& asset, const std::vector<LevelAccount>& accounts,
-                             const Light& light,
-                             const ContainerOptions& container, Progress& progress) const;
+                             const Light& light, const ContainerOptions& container,
+                             Progress& progress) const;
 
     /// Prints notes, figures and where the file is, as text or as JSON.
     void print(const std::vector<LevelCheck>& checks, const std::vector<LevelAccount>& accounts,
                const std::vector<EncodeCounts>& counts, const Light& light) const;
 
-    /// As asked for, else affordable_probes.
-    int probes(const Environment& environment) const {
-        return probes_ >= 0 ? probes_ : affordable_probes(environment);
-    }
+    /// As asked for, else affordable_probes; none where the texels were not kept.
+    int probes(const Light& light) const;
+    bool probes_given() const { return probes_ >= 0; }
 
 private:
     std::filesystem::path path_;

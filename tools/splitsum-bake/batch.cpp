@@ -139,9 +139,9 @@ BatchOptions::BatchOptions(CLI::App& app)
       filter(app, methods_for(LobeKind::ggx)),
       encoding(app, 3),
       json(app) {
-    app.add_option(
-           "--probes", probes,
-           "texels per level whose error against exact integration is measured (default 64, fewer above 1024 x 512)")
+    app.add_option("--probes", probes,
+                   "texels per level whose error against exact integration is measured (default "
+                   "64, fewer above 1024 x 512)")
         ->option_text("COUNT")
         ->check(whole_number(1, 1 << 24));
     app.add_flag("--no-picture", no_picture, "do not write the picture contact.png");

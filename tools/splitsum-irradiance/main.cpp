@@ -16,35 +16,34 @@ bool is_harmonics(const std::filesystem::path& path) {
     return ending == ".json" || ending == ".txt" || ending == ".glsl";
 }
 
-Status write_cubemap(const tools::Light& light, const IrradiancePlan& plan,
-                     const FilterPlan& filter, const Orientation& orientation,
+Status write_cubemap(const Light& light, const LevelsPlan& plan,
                      const tools::EncodingOptions& encoding,
                      const tools::CubemapOutputOptions& output, Progress& progress) {
-    const auto levels =
-        filter_levels(light.environment, {std::nullopt, plan, filter, orientation}, progress);
+    const auto levels = filter_levels(light.filter_source(), plan, progress);
     if (!levels) return levels.error();
-    const auto asset = cubemap_asset({&*levels->irradiance, 1}, encoding.format(),
-                                     irradiance_facts(light.source, plan, filter, orientation));
+    const auto asset = cubemap_asset(
+        {&*levels->irradiance, 1}, encoding.format(),
+        irradiance_facts(light.source, *plan.irradiance, plan.filter, plan.orientation));
     if (!asset) return asset.error();
-    return output.measure_and_write(*asset, levels->accounts, light, encoding.container(), progress);
+    return output.measure_and_write(*asset, levels->accounts, light, encoding.container(),
+                                    progress);
 }
 
-Status write_series(const tools::Light& light, const IrradiancePlan& plan, const FilterPlan& filter,
-                    const Orientation& orientation, const tools::CubemapOutputOptions& output,
-                    Progress& progress) {
-    const Mat3d panorama_from_cube = splitsum::panorama_from_cube(orientation);
+Status write_series(const Light& light, const LevelsPlan& plan,
+                    const tools::CubemapOutputOptions& output, Progress& progress) {
+    const Mat3d turn = panorama_from_cube(plan.orientation);
     const IrradianceHarmonics harmonics = irradiance_harmonics(
-        light.environment, plan.harmonics_order, plan.windowed, panorama_from_cube);
+        light.filter_source(), plan.irradiance->harmonics_order, plan.irradiance->windowed, turn);
     std::vector<LevelCheck> checks;
-    if (const int probes = output.probes(light.environment); probes > 0) {
+    if (const int probes = output.probes(light); probes > 0) {
         progress.begin("measuring", probes);
-        const auto check = check_harmonics(
-            harmonics, {light.environment, panorama_from_cube, probes}, progress);
+        const auto check = check_harmonics(harmonics, {light.environment, turn, probes}, progress);
         if (!check) return check.error();
         checks.push_back(*check);
     }
     const Status written = write_harmonics(
-        harmonics, irradiance_facts(light.source, plan, filter, orientation), output.path());
+        harmonics, irradiance_facts(light.source, *plan.irradiance, plan.filter, plan.orientation),
+        output.path());
     if (written) output.print(checks, {}, {}, light);
     return written;
 }
@@ -70,12 +69,11 @@ int main(int argc, char** argv) {
         const bool series = is_harmonics(output.path());
         const Status possible = series ? check_writable(output.path()) : output.check();
         if (!possible) return possible;
-        const auto light = tools::load_light(input, progress);
+        const LevelsPlan plan{std::nullopt, irradiance.plan, filter.plan, orientation.plan};
+        const auto light =
+            load_light(input.panorama(), input.plan(), plan, output.probes_given(), progress);
         if (!light) return light.error();
-        if (series)
-            return write_series(*light, irradiance.plan, filter.plan, orientation.plan, output,
-                                progress);
-        return write_cubemap(*light, irradiance.plan, filter.plan, orientation.plan, encoding,
-                             output, progress);
+        if (series) return write_series(*light, plan, output, progress);
+        return write_cubemap(*light, plan, encoding, output, progress);
     });
 }

@@ -24,16 +24,18 @@ int main(int argc, char** argv) {
         const auto plan = specular.plan();
         if (!plan) return plan.error();
         if (const Status possible = output.check(); !possible) return possible;
-        const auto light = tools::load_light(input, progress);
+        const LevelsPlan levels_plan{*plan, std::nullopt, filter.plan, orientation.plan};
+        const auto light = load_light(input.panorama(), input.plan(), levels_plan,
+                                      output.probes_given(), progress);
         if (!light) return light.error();
 
-        const auto levels = filter_levels(
-            light->environment, {*plan, std::nullopt, filter.plan, orientation.plan}, progress);
+        const auto levels = filter_levels(light->filter_source(), levels_plan, progress);
         if (!levels) return levels.error();
         const auto asset =
             cubemap_asset(levels->specular, encoding.format(),
                           specular_facts(light->source, *plan, filter.plan, orientation.plan));
         if (!asset) return asset.error();
-        return output.measure_and_write(*asset, levels->accounts, *light, encoding.container(), progress);
+        return output.measure_and_write(*asset, levels->accounts, *light, encoding.container(),
+                                        progress);
     });
 }

@@ -22,7 +22,8 @@ std::vector<Texel> probe_texels(int size) {
     std::vector<Texel> texels;
     for (int i = 0; i < along_edge; ++i) {
         const int at = (size - 1) * i / (along_edge - 1);
-        for (const Texel texel : {Texel{at, 0}, Texel{at, size - 1}, Texel{0, at}, Texel{size - 1, at}})
+        for (const Texel texel :
+             {Texel{at, 0}, Texel{at, size - 1}, Texel{0, at}, Texel{size - 1, at}})
             texels.push_back(texel);
     }
     for (int i = 0; i < inside; ++i) {
@@ -43,9 +44,8 @@ double error_at(const Table& table, const Texel& texel, SmithTerm geometry) {
 
 double worst_error(const Table& table, SmithTerm geometry, const std::vector<Texel>& texels) {
     std::vector<double> errors(texels.size());
-    parallel_rows(int(texels.size()), [&](int i) {
-        errors[size_t(i)] = error_at(table, texels[size_t(i)], geometry);
-    });
+    parallel_rows(int(texels.size()),
+                  [&](int i) { errors[size_t(i)] = error_at(table, texels[size_t(i)], geometry); });
     return *std::ranges::max_element(errors);
 }
 

@@ -28,13 +28,14 @@ Result<BakedAssets> make_assets(const Environment& environment, const BakePlan& 
     if (!levels) return levels.error();
     auto specular = cubemap_asset(levels->specular, plan.format, report.specular_facts);
     if (!specular) return specular.error();
-    auto irradiance = cubemap_asset({&*levels->irradiance, 1}, plan.format, report.irradiance_facts);
+    auto irradiance =
+        cubemap_asset({&*levels->irradiance, 1}, plan.format, report.irradiance_facts);
     if (!irradiance) return irradiance.error();
-    return BakedAssets{std::move(*specular), std::move(*irradiance),
-                       irradiance_harmonics(environment, plan.irradiance.harmonics_order,
-                                            plan.irradiance.windowed,
-                                            panorama_from_cube(plan.orientation)),
-                       levels->accounts};
+    return BakedAssets{
+        std::move(*specular), std::move(*irradiance),
+        irradiance_harmonics(environment, plan.irradiance.harmonics_order, plan.irradiance.windowed,
+                             panorama_from_cube(plan.orientation)),
+        levels->accounts};
 }
 
 // Fills in the figures of the report.
@@ -47,8 +48,7 @@ Status measure(const BakedAssets& assets, const Environment& environment, const 
                                    report.specular_facts.perceptual_roughness, truth, progress);
     if (!specular) return specular.error();
     const double factor = plan.irradiance.store_irradiance ? std::numbers::pi : 1;
-    const auto irradiance =
-        check_irradiance(assets.irradiance.levels[0], factor, truth, progress);
+    const auto irradiance = check_irradiance(assets.irradiance.levels[0], factor, truth, progress);
     if (!irradiance) return irradiance.error();
     const auto harmonics = check_harmonics(assets.harmonics, truth, progress);
     if (!harmonics) return harmonics.error();
@@ -67,8 +67,8 @@ Status measure(const BakedAssets& assets, const Environment& environment, const 
 ContactSheet contact_sheet(const BakedAssets& assets, const BakeReport& report) {
     ContactSheet sheet;
     for (size_t level = 0; level < assets.specular.levels.size(); ++level)
-        sheet.levels.push_back({&assets.specular.levels[level],
-                                report.specular_facts.perceptual_roughness[level]});
+        sheet.levels.push_back(
+            {&assets.specular.levels[level], report.specular_facts.perceptual_roughness[level]});
     sheet.irradiance = &assets.irradiance.levels[0];
     return sheet;
 }
@@ -80,9 +80,9 @@ Status write_assets(const BakedAssets& assets, const BakePlan& plan, BakeReport&
         return written;
     };
     const auto& container = plan.container;
-    Status status = write(
-        "specular.ktx2", "prefiltered radiance for a direction and a roughness",
-        write_texture(assets.specular.texture, folder.path() / "specular.ktx2", container));
+    Status status =
+        write("specular.ktx2", "prefiltered radiance for a direction and a roughness",
+              write_texture(assets.specular.texture, folder.path() / "specular.ktx2", container));
     if (status)
         status = write(
             "irradiance.ktx2",
@@ -93,9 +93,9 @@ Status write_assets(const BakedAssets& assets, const BakePlan& plan, BakeReport&
                        write_harmonics(assets.harmonics, report.irradiance_facts,
                                        folder.path() / "harmonics.json"));
     if (status && plan.picture)
-        status = write("contact.png", "a picture of the levels, for people",
-                       write_contact_sheet(contact_sheet(assets, report),
-                                           folder.path() / "contact.png"));
+        status = write(
+            "contact.png", "a picture of the levels, for people",
+            write_contact_sheet(contact_sheet(assets, report), folder.path() / "contact.png"));
     return status;
 }
 

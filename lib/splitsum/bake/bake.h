@@ -23,7 +23,7 @@ struct BakePlan {
     ContainerOptions container;
     /// Texels a level that are measured against exact integration; affordable_probes if not given.
     std::optional<int> probes;
-    bool picture = true;   ///< write contact.png
+    bool picture = true;  ///< write contact.png
 };
 
 /// Fails with bad_argument: what was asked, and what would work.

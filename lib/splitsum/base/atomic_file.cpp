@@ -71,7 +71,8 @@ Status write_file_whole(const fs::path& path,
     if (const Status possible = check_writable(path); !possible) return possible;
     std::error_code failure;
     // Renaming over a link would replace the link, not what it points to.
-    const fs::path target = fs::is_symlink(path, failure) ? fs::weakly_canonical(path, failure) : path;
+    const fs::path target =
+        fs::is_symlink(path, failure) ? fs::weakly_canonical(path, failure) : path;
     const fs::path temporary = temporary_beside(target);
     Status status = write(temporary);
     if (status) status = flush_to_disk(temporary);

@@ -17,8 +17,6 @@ inline uint32_t mix_bits(uint32_t key) {
 
 /// A float in [0, 1) that depends only on the key: the same texel gets the same number whichever
 /// thread visits it, so no generator state has to be carried through a parallel loop.
-inline float unit_float(uint32_t key) {
-    return static_cast<float>(mix_bits(key) >> 8) * 0x1p-24f;
-}
+inline float unit_float(uint32_t key) { return static_cast<float>(mix_bits(key) >> 8) * 0x1p-24f; }
 
 }  // namespace splitsum

@@ -27,7 +27,8 @@ std::string join(const Range& range, const char* separator, const Print& print) 
 
 template <class Range>
 std::string join(const Range& range, const char* separator) {
-    return join(range, separator, [](const auto& element) -> const auto& { return element; });
+    return join(
+        range, separator, [](const auto& element) -> const auto& { return element; });
 }
 
 }  // namespace splitsum

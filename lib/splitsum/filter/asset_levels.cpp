@@ -48,8 +48,7 @@ Result<FilterMethod> method_of(const LevelsPlan& plan) {
     if (plan.irradiance)
         if (const auto found = find_filter_method(plan.filter.method, LobeKind::cosine); !found)
             return found;
-    return find_filter_method(plan.filter.method,
-                              plan.specular ? LobeKind::ggx : LobeKind::cosine);
+    return find_filter_method(plan.filter.method, plan.specular ? LobeKind::ggx : LobeKind::cosine);
 }
 
 // The mirror image wants no more texels than a few for each of its own.
@@ -71,25 +70,21 @@ Result<FilteredCubemap> mirror_level(const Environment& environment, int face_si
 }
 
 Result<std::vector<FilteredCubemap>> run(const std::vector<Job>& jobs, const FilterMethod& method,
-                                         const Environment& environment, const LevelsPlan& plan,
+                                         const FilterSource& source, const LevelsPlan& plan,
                                          Progress& progress) {
-    std::vector<Lobe> lobes;
     int rows = 0;
-    for (const Job& job : jobs) {
-        if (!is_mirror(job)) lobes.push_back(job.lobe);
-        rows += face_count * job.face_size;
-    }
+    for (const Job& job : jobs) rows += face_count * job.face_size;
     progress.begin("filtering", rows);
-    const auto filter = method.prepare(environment, lobes, plan.filter);
+    const auto filter = method.prepare(source, lobes_of(plan), plan.filter);
     const Mat3d panorama_from_cube = splitsum::panorama_from_cube(plan.orientation);
     std::vector<FilteredCubemap> levels;
     size_t lobe = 0;
     uint32_t first_key = 0;
     for (const Job& job : jobs) {
-        auto level = is_mirror(job)
-                         ? mirror_level(environment, job.face_size, panorama_from_cube, progress)
-                         : filter_cubemap(*filter, lobe++, job.face_size, panorama_from_cube,
-                                          first_key, progress);
+        auto level = is_mirror(job) ? mirror_level(source.environment, job.face_size,
+                                                   panorama_from_cube, progress)
+                                    : filter_cubemap(*filter, lobe++, job.face_size,
+                                                     panorama_from_cube, first_key, progress);
         if (!level) return level.error();
         first_key += uint32_t(level->cubemap.texels.size());
         levels.push_back(std::move(*level));
@@ -99,12 +94,19 @@ Result<std::vector<FilteredCubemap>> run(const std::vector<Job>& jobs, const Fil
 
 }  // namespace
 
-Result<AssetLevels> filter_levels(const Environment& environment, const LevelsPlan& plan,
+std::vector<Lobe> lobes_of(const LevelsPlan& plan) {
+    std::vector<Lobe> lobes;
+    for (const Job& job : jobs_of(plan))
+        if (!is_mirror(job)) lobes.push_back(job.lobe);
+    return lobes;
+}
+
+Result<AssetLevels> filter_levels(const FilterSource& source, const LevelsPlan& plan,
                                   Progress& progress) {
     if (const Status valid = validate(plan); !valid) return valid.error();
     const auto method = method_of(plan);
     if (!method) return method.error();
-    auto filtered = run(jobs_of(plan), *method, environment, plan, progress);
+    auto filtered = run(jobs_of(plan), *method, source, plan, progress);
     if (!filtered) return filtered.error();
 
     AssetLevels levels;

@@ -11,9 +11,9 @@ namespace {
 
 class AutoFilter final : public PreparedFilter {
 public:
-    AutoFilter(const Environment& environment, std::span<const Lobe> lobes, const FilterPlan& plan)
-        : spectral_(prepare_spectral(environment, lobes, plan)),
-          reference_(prepare_reference(environment, lobes, plan)),
+    AutoFilter(const FilterSource& source, std::span<const Lobe> lobes, const FilterPlan& plan)
+        : spectral_(prepare_spectral(source, lobes, plan)),
+          reference_(prepare_reference(source, lobes, plan)),
           accuracy_(plan.accuracy) {}
 
     void evaluate(size_t lobe_index, const Directions& directions,
@@ -24,10 +24,10 @@ public:
     LevelAccount account(size_t lobe_index) const override {
         LevelAccount account = chosen(lobe_index).account(lobe_index);
         const LevelAccount spectral = spectral_->account(lobe_index);
-        account.reason = bound_holds(lobe_index)
-                             ? cat("cheapest with an error bound under ", accuracy_)
-                             : cat("the bound of spectral, ", spectral.error_bound, ", is over ",
-                                   accuracy_);
+        account.reason =
+            bound_holds(lobe_index)
+                ? cat("cheapest with an error bound under ", accuracy_)
+                : cat("the bound of spectral, ", spectral.error_bound, ", is over ", accuracy_);
         return account;
     }
 
@@ -47,9 +47,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<PreparedFilter> prepare_auto(const Environment& environment,
+std::unique_ptr<PreparedFilter> prepare_auto(const FilterSource& source,
                                              std::span<const Lobe> lobes, const FilterPlan& plan) {
-    return std::make_unique<AutoFilter>(environment, lobes, plan);
+    return std::make_unique<AutoFilter>(source, lobes, plan);
 }
 
 }  // namespace splitsum

@@ -11,7 +11,7 @@ namespace splitsum {
 /// `spectral` for every lobe: a sampling method needs more time for a hundredth of the accuracy
 /// (tests/benchmarks/README.md), and lobes too narrow for the transform alone are taken apart inside
 /// it. A lobe whose error bound cannot be brought under the accuracy goes to `reference`.
-std::unique_ptr<PreparedFilter> prepare_auto(const Environment& environment,
+std::unique_ptr<PreparedFilter> prepare_auto(const FilterSource& source,
                                              std::span<const Lobe> lobes, const FilterPlan& plan);
 
 }  // namespace splitsum

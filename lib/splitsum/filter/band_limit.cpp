@@ -25,6 +25,21 @@ std::vector<double> significant_factors(const Lobe& lobe, double smallest, int m
     }
 }
 
+std::optional<int> bands_for_point_light(const Lobe& lobe, double accuracy, int most) {
+    const std::vector<double> factors = significant_factors(lobe, 1e-3 * accuracy, most);
+    const auto power = [&](size_t l) { return square(factors[l]) * double(2 * l + 1); };
+    double whole = 0;
+    for (size_t l = 0; l < factors.size(); ++l) whole += power(l);
+    double left_out = 0;
+    for (size_t bands = factors.size() - 1; bands > 0; --bands) {
+        left_out += power(bands);
+        if (left_out <= square(accuracy) * whole) continue;
+        const bool complete = bands + 1 < factors.size();
+        return complete ? std::optional(int(bands) + 1) : std::nullopt;
+    }
+    return 1;
+}
+
 double negligible_factor(double total_power, double mean_power, double accuracy) {
     if (total_power == 0) return 1;  // black: nothing matters
     // Only light with negative parts has power and no mean; then the factor is a guess.

@@ -21,6 +21,7 @@ Fft::Fft(int length, Direction direction)
           kiss_fft_alloc(length, direction == Direction::inverse ? 1 : 0, nullptr, nullptr)}) {}
 
 Fft::Fft(Fft&&) noexcept = default;
+Fft& Fft::operator=(Fft&&) noexcept = default;
 Fft::~Fft() = default;
 
 void Fft::transform(std::span<const FftValue> in, std::span<FftValue> out) const {

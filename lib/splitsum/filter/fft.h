@@ -21,6 +21,7 @@ public:
 
     Fft(int length, Direction direction);
     Fft(Fft&&) noexcept;
+    Fft& operator=(Fft&&) noexcept;
     ~Fft();
 
     /// `in` and `out` hold `length` values and must not overlap.

@@ -92,7 +92,8 @@ Coefficients about_the_pole(const Environment& environment, int order) {
     const QuadratureRule rule = gauss_legendre(4 + 2 * int(std::ceil(order * pi / height)));
     const ColumnEdges edges(environment.width());
     const int blocks = std::min(height, 32);
-    std::vector<Coefficients> partial(size_t(blocks), Coefficients(harmonic_count(order), Vec3d(0)));
+    std::vector<Coefficients> partial(size_t(blocks),
+                                      Coefficients(harmonic_count(order), Vec3d(0)));
     parallel_rows(blocks, [&](int block) {
         for (int y = height * block / blocks; y < height * (block + 1) / blocks; ++y)
             add_row(environment, y, order, rule, edges, partial[size_t(block)]);
@@ -101,9 +102,24 @@ Coefficients about_the_pole(const Environment& environment, int order) {
     return partial[0];
 }
 
+// The real coefficients of a spectrum: a e^(i m phi) and its conjugate are sqrt 2 times Re a and
+// -Im a of the real harmonics of m and -m.
+Coefficients real_coefficients(const Spectrum& spectrum, int order) {
+    Coefficients real(harmonic_count(order), Vec3d(0));
+    for (int m = 0; m <= order; ++m)
+        for (int l = m; l <= order; ++l) {
+            const double* a = spectrum.order(m).data() + 6 * size_t(l - m);
+            const double twice = m == 0 ? 1 : std::numbers::sqrt2;
+            real[harmonic_index(l, m)] = twice * Vec3d(a[0], a[1], a[2]);
+            if (m > 0) real[harmonic_index(l, -m)] = -twice * Vec3d(a[3], a[4], a[5]);
+        }
+    return real;
+}
+
 // The same function in the cube's axes: evaluated on a grid that integrates products of two
 // harmonics exactly (Gauss-Legendre in z, uniform in azimuth), and projected again.
-Coefficients in_cube_axes(const Coefficients& about_pole, int order, const Mat3d& panorama_from_cube) {
+Coefficients in_cube_axes(const Coefficients& about_pole, int order,
+                          const Mat3d& panorama_from_cube) {
     const QuadratureRule rule = gauss_legendre(order + 1);
     const int azimuths = 2 * order + 1;
     Coefficients result(about_pole.size(), Vec3d(0));
@@ -128,6 +144,13 @@ Coefficients in_cube_axes(const Coefficients& about_pole, int order, const Mat3d
 std::vector<Vec3d> harmonics_of_environment(const Environment& environment, int order,
                                             const Mat3d& panorama_from_cube) {
     return in_cube_axes(about_the_pole(environment, order), order, panorama_from_cube);
+}
+
+std::vector<Vec3d> harmonics_of(const FilterSource& source, int order,
+                                const Mat3d& panorama_from_cube) {
+    if (!source.spectrum || source.spectrum->bands() <= order)
+        return harmonics_of_environment(source.environment, order, panorama_from_cube);
+    return in_cube_axes(real_coefficients(*source.spectrum, order), order, panorama_from_cube);
 }
 
 }  // namespace splitsum

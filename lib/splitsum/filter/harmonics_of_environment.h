@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "splitsum/filter/filter_source.h"
 #include "splitsum/math/vec.h"
 #include "splitsum/sphere/environment.h"
 
@@ -15,5 +16,10 @@ namespace splitsum {
 /// Gauss points over its polar angles that 1e-12 is left. Cost: texels * (order + 1) operations.
 std::vector<Vec3d> harmonics_of_environment(const Environment& environment, int order,
                                             const Mat3d& panorama_from_cube);
+
+/// The same from the source's spectrum where it has one with enough bands: one transform serves
+/// everything.
+std::vector<Vec3d> harmonics_of(const FilterSource& source, int order,
+                                const Mat3d& panorama_from_cube);
 
 }  // namespace splitsum

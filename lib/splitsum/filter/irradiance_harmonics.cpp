@@ -95,11 +95,11 @@ double smallest_lambda(const std::vector<Vec3d>& coefficients, int order) {
 
 }  // namespace
 
-IrradianceHarmonics irradiance_harmonics(const Environment& environment, int order, bool windowed,
+IrradianceHarmonics irradiance_harmonics(const FilterSource& source, int order, bool windowed,
                                          const Mat3d& panorama_from_cube) {
     IrradianceHarmonics result;
     result.order = order;
-    result.coefficients = harmonics_of_environment(environment, order, panorama_from_cube);
+    result.coefficients = harmonics_of(source, order, panorama_from_cube);
     const std::vector<double> factors = band_factors({LobeKind::cosine}, order + 1);
     for (int l = 0; l <= order; ++l)
         for (int m = -l; m <= l; ++m)

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "splitsum/filter/filter_source.h"
 #include "splitsum/math/vec.h"
 #include "splitsum/sphere/environment.h"
 
@@ -24,7 +25,7 @@ struct IrradianceHarmonics {
 /// The harmonics of the radiance, band l multiplied by the factor A_l / pi of the clamped cosine
 /// (Ramamoorthi & Hanrahan 2001, eq. 19). With `windowed`, bands are damped by the smallest
 /// window_lambda that leaves no channel negative anywhere.
-IrradianceHarmonics irradiance_harmonics(const Environment& environment, int order, bool windowed,
+IrradianceHarmonics irradiance_harmonics(const FilterSource& source, int order, bool windowed,
                                          const Mat3d& panorama_from_cube);
 
 /// E / pi towards a unit normal: what a renderer evaluates.

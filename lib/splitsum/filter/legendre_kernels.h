@@ -26,9 +26,9 @@ inline size_t padded(size_t count) {
 /// What P_mm(theta) starts from, and the recurrence's coefficients, for one order m.
 struct LegendreOrder {
     int m = 0;
-    double start = 0;             ///< P_mm / sin^m theta
-    std::vector<double> a;        ///< a_l for l = m .. bands - 1 (the first is not used)
-    std::vector<double> b;        ///< b_l, likewise
+    double start = 0;       ///< P_mm / sin^m theta
+    std::vector<double> a;  ///< a_l for l = m .. bands - 1 (the first is not used)
+    std::vector<double> b;  ///< b_l, likewise
 
     LegendreOrder(int order, int bands);
 };

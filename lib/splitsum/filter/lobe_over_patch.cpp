@@ -71,7 +71,8 @@ double lobe_over_patch(const Lobe& lobe, double lobe_theta, const LatLongPatch& 
         (patch.azimuth1 - patch.azimuth0) *
         std::sin(std::clamp(0.5 * pi, patch.theta0, patch.theta1));  // at the widest row
     const double radius = 0.5 * std::hypot(down, around);
-    const double away = std::max(0.0, 2 * std::asin(std::min(1.0, std::sqrt(0.5 * versine))) - radius);
+    const double away =
+        std::max(0.0, 2 * std::asin(std::min(1.0, std::sqrt(0.5 * versine))) - radius);
     const double distance = std::hypot(away, lobe_width(lobe));
 
     const bool on_horizon = std::abs(1 - versine) < radius && down > horizon_rows;

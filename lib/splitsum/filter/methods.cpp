@@ -29,8 +29,8 @@ std::span<const FilterMethod> filter_methods() {
          true, true, prepare_importance},
         {"filtered", "the same points, each read from a prefiltered pyramid; lobes grow a little",
          true, true, prepare_filtered},
-        {"spectral", "product with the lobe's band factors in spherical-harmonic space; exact", true,
-         true, prepare_spectral},
+        {"spectral", "product with the lobe's band factors in spherical-harmonic space; exact",
+         true, true, prepare_spectral},
     };
     return methods;
 }
@@ -42,10 +42,10 @@ Result<FilterMethod> find_filter_method(std::string_view name, LobeKind kind) {
         if (method.name == name) return method;
         usable.push_back(method.name);
     }
-    return Error{ErrorKind::bad_argument,
-                 cat("no method '", name, "' for ",
-                     kind == LobeKind::ggx ? "reflections" : "diffuse light", "; there are: ",
-                     join(usable, ", "))};
+    return Error{
+        ErrorKind::bad_argument,
+        cat("no method '", name, "' for ", kind == LobeKind::ggx ? "reflections" : "diffuse light",
+            "; there are: ", join(usable, ", "))};
 }
 
 }  // namespace splitsum

@@ -8,9 +8,9 @@
 
 #include "splitsum/base/result.h"
 #include "splitsum/brdf/lobe.h"
+#include "splitsum/filter/filter_source.h"
 #include "splitsum/math/vec.h"
 #include "splitsum/plan/asset_plan.h"
-#include "splitsum/sphere/environment.h"
 
 namespace splitsum {
 
@@ -24,11 +24,11 @@ struct Directions {
 
 /// How one level was made, for the report.
 struct LevelAccount {
-    std::string method{};         ///< the row of filter_methods() that did the work
-    std::string reason{};         ///< why `auto` chose it; "" where the user did
-    int bands = 0;                ///< spherical-harmonic bands kept; 0 where there are none
-    double error_bound = 0;       ///< relative error (rel_rms) by theory; 0 where theory has none
-    int64_t clamped_negative = 0; ///< channel values below 0 that were set to 0
+    std::string method{};          ///< the row of filter_methods() that did the work
+    std::string reason{};          ///< why `auto` chose it; "" where the user did
+    int bands = 0;                 ///< spherical-harmonic bands kept; 0 where there are none
+    double error_bound = 0;        ///< relative error (rel_rms) by theory; 0 where theory has none
+    int64_t clamped_negative = 0;  ///< channel values below 0 that were set to 0
 };
 
 /// A method made ready for one environment and a list of lobes; whatever the lobes can share
@@ -54,8 +54,8 @@ struct FilterMethod {
     bool filters_ggx;          ///< can filter reflections
     bool filters_cosine;       ///< can filter diffuse light
     /// Lobes must have alpha > 0 and be of a kind the method filters; `plan` must be valid and
-    /// `environment` must outlive the result.
-    std::unique_ptr<PreparedFilter> (*prepare)(const Environment& environment,
+    /// what `source` refers to must outlive the result.
+    std::unique_ptr<PreparedFilter> (*prepare)(const FilterSource& source,
                                                std::span<const Lobe> lobes, const FilterPlan& plan);
 };
 

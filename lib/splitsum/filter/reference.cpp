@@ -19,9 +19,8 @@ public:
     void evaluate(size_t lobe_index, const Directions& directions,
                   std::span<Vec3> out) const override {
         for (size_t i = 0; i < out.size(); ++i)
-            out[i] = Vec3(
-                quadrature_.over_hemisphere(lobes_[lobe_index], directions.towards[i]) /
-                integrals_[lobe_index]);
+            out[i] = Vec3(quadrature_.over_hemisphere(lobes_[lobe_index], directions.towards[i]) /
+                          integrals_[lobe_index]);
     }
 
     LevelAccount account(size_t) const override { return {.method = "reference"}; }
@@ -34,9 +33,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<PreparedFilter> prepare_reference(const Environment& environment,
+std::unique_ptr<PreparedFilter> prepare_reference(const FilterSource& source,
                                                   std::span<const Lobe> lobes, const FilterPlan&) {
-    return std::make_unique<ReferenceFilter>(environment, lobes);
+    return std::make_unique<ReferenceFilter>(source.environment, lobes);
 }
 
 }  // namespace splitsum

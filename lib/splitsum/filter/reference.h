@@ -17,7 +17,7 @@ namespace splitsum {
 /// Relative error: below 1e-7 for panoramas of 64 rows and more (tested against band factors).
 /// Cost: half the texels times four evaluations of the lobe for each direction, about 1 ms for
 /// 1024 x 512 texels on one core.
-std::unique_ptr<PreparedFilter> prepare_reference(const Environment& environment,
+std::unique_ptr<PreparedFilter> prepare_reference(const FilterSource& source,
                                                   std::span<const Lobe> lobes,
                                                   const FilterPlan& plan);
 

@@ -12,10 +12,10 @@ namespace splitsum {
 struct SampleSet {
     static constexpr size_t padding = 16;
 
-    std::vector<float> x, y, z;        ///< unit directions
-    std::vector<float> weight;         ///< sums to 1
-    std::vector<float> solid_angle;    ///< steradians that each sample stands for: 1 / (N pdf)
-    size_t count = 0;                  ///< without the padding
+    std::vector<float> x, y, z;      ///< unit directions
+    std::vector<float> weight;       ///< sums to 1
+    std::vector<float> solid_angle;  ///< steradians that each sample stands for: 1 / (N pdf)
+    size_t count = 0;                ///< without the padding
 };
 
 /// `count` Hammersley points through the lobe's own distribution.

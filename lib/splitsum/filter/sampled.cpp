@@ -89,23 +89,24 @@ RingLookups lookups_of(const RingPyramid& pyramid, const SampleSet& set) {
 
 }  // namespace
 
-std::unique_ptr<PreparedFilter> prepare_importance(const Environment& environment,
+std::unique_ptr<PreparedFilter> prepare_importance(const FilterSource& source,
                                                    std::span<const Lobe> lobes,
                                                    const FilterPlan& plan) {
-    return texel_filter("importance", environment,
+    return texel_filter("importance", source.environment,
                         sets_of(lobes, plan.samples, importance_samples), plan);
 }
 
-std::unique_ptr<PreparedFilter> prepare_riemann(const Environment& environment,
+std::unique_ptr<PreparedFilter> prepare_riemann(const FilterSource& source,
                                                 std::span<const Lobe> lobes,
                                                 const FilterPlan& plan) {
-    return texel_filter("riemann", environment, sets_of(lobes, plan.samples, riemann_samples), plan);
+    return texel_filter("riemann", source.environment,
+                        sets_of(lobes, plan.samples, riemann_samples), plan);
 }
 
-std::unique_ptr<PreparedFilter> prepare_filtered(const Environment& environment,
+std::unique_ptr<PreparedFilter> prepare_filtered(const FilterSource& source,
                                                  std::span<const Lobe> lobes,
                                                  const FilterPlan& plan) {
-    auto pyramid = std::make_unique<RingPyramid>(ring_pyramid(environment));
+    auto pyramid = std::make_unique<RingPyramid>(ring_pyramid(source.environment));
     std::vector<SampleSet> sets = sets_of(lobes, plan.samples, importance_samples);
     std::vector<RingLookups> lookups;
     for (const SampleSet& set : sets) lookups.push_back(lookups_of(*pyramid, set));

@@ -22,6 +22,7 @@ constexpr int most_bands = 2000;
 // taken at a few texels may see the dark beside them: with 0.3, 64 texels of a studio of soft boxes
 // showed 9e-4 where 1000 showed 2.7e-4; with 0.1 both stay under 4e-4.
 constexpr double truncation_share = 0.1;
+constexpr double largest_truncation_share = 0.5;  // where the bands were chosen before the light
 constexpr double interpolation_share = 0.1;
 constexpr double cap_share = 0.1;
 
@@ -65,10 +66,13 @@ private:
     std::vector<FilteredLobe> lobes_;
 };
 
-// The size below which a band factor cannot matter to this environment.
-double negligible_for(const Environment& environment, double accuracy) {
-    const Vec3d mean = mean_radiance(environment);
-    return negligible_factor(integral_of_square(environment),
+// The size below which a band factor cannot matter to this light.
+double negligible_for(const FilterSource& source, double accuracy) {
+    if (source.spectrum)
+        return negligible_factor(source.spectrum->total_power(), source.spectrum->power(0),
+                                 accuracy);
+    const Vec3d mean = mean_radiance(source.environment);
+    return negligible_factor(integral_of_square(source.environment),
                              4 * std::numbers::pi * dot(mean, mean), accuracy);
 }
 
@@ -96,21 +100,46 @@ FilteredLobe filter_lobe(const Spectrum& spectrum, const LobePlan& plan, double 
 
 }  // namespace
 
-std::unique_ptr<PreparedFilter> prepare_spectral(const Environment& environment,
+std::unique_ptr<PreparedFilter> prepare_spectral(const FilterSource& source,
                                                  std::span<const Lobe> lobes,
                                                  const FilterPlan& plan) {
-    const double negligible = negligible_for(environment, truncation_share * plan.accuracy);
+    const double negligible = negligible_for(source, truncation_share * plan.accuracy);
     std::vector<LobePlan> plans;
     size_t bands = 1;
     for (const Lobe& lobe : lobes) {
         plans.push_back(plan_lobe(lobe, negligible, plan.accuracy));
         bands = std::max(bands, plans.back().factors.size() - 1);
     }
-    const Spectrum spectrum = forward_transform(environment, int(bands));
+    std::optional<Spectrum> own;
+    if (!source.spectrum) own = forward_transform(source.environment, int(bands));
+    const Spectrum& spectrum = source.spectrum ? *source.spectrum : *own;
     std::vector<FilteredLobe> filtered;
     for (const LobePlan& lobe : plans)
         filtered.push_back(filter_lobe(spectrum, lobe, plan.accuracy));
-    return std::make_unique<SpectralFilter>(environment, std::move(filtered));
+    return std::make_unique<SpectralFilter>(source.environment, std::move(filtered));
+}
+
+std::optional<int> bands_to_transform(std::span<const Lobe> lobes, double accuracy) {
+    constexpr int fewest = 256;
+    constexpr double narrow = 0.5;  // radians; wider lobes have a kink at the horizon to resolve
+    int bands = fewest;
+    for (const Lobe& lobe : lobes) {
+        if (lobe_width(lobe) > narrow) continue;
+        const auto needed = bands_for_point_light(lobe, truncation_share * accuracy, most_bands);
+        if (!needed) return std::nullopt;
+        bands = std::max(bands, *needed);
+    }
+    return bands;
+}
+
+bool has_enough_bands(const Spectrum& spectrum, std::span<const Lobe> lobes, double accuracy) {
+    const double negligible =
+        negligible_factor(spectrum.total_power(), spectrum.power(0), truncation_share * accuracy);
+    return std::ranges::all_of(lobes, [&](const Lobe& lobe) {
+        const std::vector<double> factors = significant_factors(lobe, negligible, most_bands);
+        return band_limit(spectrum, factors, truncation_share * accuracy).truncation_bound <=
+               largest_truncation_share * accuracy;
+    });
 }
 
 }  // namespace splitsum

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "splitsum/filter/methods.h"
@@ -14,8 +15,17 @@ namespace splitsum {
 /// the truncation and of the interpolation on the synthesis grid stay under parts of plan.accuracy.
 /// Lobes so narrow that they would need more than `most_bands` are taken apart (narrow_lobe.h): the
 /// transform does the wide part, a sum over nearby texels the rest.
-std::unique_ptr<PreparedFilter> prepare_spectral(const Environment& environment,
+std::unique_ptr<PreparedFilter> prepare_spectral(const FilterSource& source,
                                                  std::span<const Lobe> lobes,
                                                  const FilterPlan& plan);
+
+/// How many bands to transform before the light is known: enough for the narrow ones of these lobes
+/// under a single point light, the worst case, and for the wide ones, whose factors fall off slowly
+/// but meet little power up there, enough for all but the strongest suns. Nothing where a lobe is so
+/// narrow that the texels themselves are needed.
+std::optional<int> bands_to_transform(std::span<const Lobe> lobes, double accuracy);
+
+/// Whether such a spectrum has turned out to have the bands that these lobes need.
+bool has_enough_bands(const Spectrum& spectrum, std::span<const Lobe> lobes, double accuracy);
 
 }  // namespace splitsum

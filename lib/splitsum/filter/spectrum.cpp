@@ -178,8 +178,8 @@ Spectrum forward_transform(const Environment& environment, int bands) {
 
 double integral_of_square(const Environment& environment) {
     return ordered_sum(environment.height(), [&](int y) {
-        const float* row = environment.texels().data() +
-                           4 * size_t(y) * size_t(environment.width());
+        const float* row =
+            environment.texels().data() + 4 * size_t(y) * size_t(environment.width());
         return square_of_row(row, environment.width(), 4) *
                solid_angle_of_row(y, environment.height());
     });

@@ -71,8 +71,8 @@ private:
     int bands_;
     Fft fft_;
     std::vector<std::complex<double>> first_texel_;  // its Fourier transform, for each order
-    std::vector<float> fourier_;     // [order][real rgb, imaginary rgb][row]
-    std::vector<double> row_power_;  // ∫ L² over each row
+    std::vector<float> fourier_;                     // [order][real rgb, imaginary rgb][row]
+    std::vector<double> row_power_;                  // ∫ L² over each row
 };
 
 /// SpectrumBuilder over the rows of an environment.

@@ -41,7 +41,8 @@ struct RingFourier {
 };
 
 // The coefficients of order m, each band multiplied by its factor.
-std::vector<double> filtered_order(const Spectrum& spectrum, std::span<const double> factors, int m) {
+std::vector<double> filtered_order(const Spectrum& spectrum, std::span<const double> factors,
+                                   int m) {
     const auto order = spectrum.order(m);
     std::vector<double> scaled(complex_rgb * (factors.size() - size_t(m)));
     for (size_t i = 0; i < scaled.size(); ++i)
@@ -98,7 +99,7 @@ using Weights = std::array<float, 2 * SphereGrid::reach>;
 Weights lagrange_weights(double t) {
     const double a = t + 2, b = t + 1, c = t, d = t - 1, e = t - 2, f = t - 3;
     const double cd = c * d, be = b * e, af = a * f;
-    return {float(-b * cd * e * f / 120), float(a * cd * e * f / 24), float(-af * be * d / 12),
+    return {float(-b * cd * e * f / 120), float(a * cd * e * f / 24),  float(-af * be * d / 12),
             float(af * be * c / 12),      float(-a * b * cd * f / 24), float(a * b * cd * e / 120)};
 }
 

@@ -96,8 +96,8 @@ TexelQuadrature::RowParts TexelQuadrature::hemisphere_parts(const Lobe& lobe,
     RowParts parts;
     const bool whole_circle = outer >= half_circle - 1;
     parts.begin = int(std::floor(towards.column - (whole_circle ? half_circle : outer)));
-    parts.end = whole_circle ? parts.begin + environment_.width()
-                             : int(std::ceil(towards.column + outer));
+    parts.end =
+        whole_circle ? parts.begin + environment_.width() : int(std::ceil(towards.column + outer));
     const auto within = [&](double x) { return std::clamp(int(x), parts.begin, parts.end); };
     const bool no_horizon = inner >= half_circle;
     parts.far0 = no_horizon ? parts.begin : within(std::ceil(towards.column - inner));
@@ -111,14 +111,14 @@ TexelQuadrature::RowParts TexelQuadrature::cap_parts(const Lobe& lobe, const Tow
                                                      int y, double radius) const {
     // At the row's polar angle that is closest to the lobe's, so that a cap smaller than a texel
     // still has the texels it touches.
-    const double closest =
-        std::clamp(towards.theta, y * row_height(), (y + 1) * row_height());
+    const double closest = std::clamp(towards.theta, y * row_height(), (y + 1) * row_height());
     const double reach =
         azimuth_within(closest, towards.theta, versine_of(radius)) / column_width();
     if (reach == 0) return {};
     RowParts parts;
     parts.begin = int(std::floor(towards.column - reach));
-    parts.end = std::min(int(std::ceil(towards.column + reach)), parts.begin + environment_.width());
+    parts.end =
+        std::min(int(std::ceil(towards.column + reach)), parts.begin + environment_.width());
     parts.far0 = parts.begin;
     parts.far1 = parts.end;
     mark_near(lobe, towards, y, parts);
@@ -136,8 +136,7 @@ void TexelQuadrature::mark_near(const Lobe& lobe, const Towards& towards, int y,
 
 // The azimuth within which the row's texels need care because the lobe is narrow; 0 if none.
 double TexelQuadrature::near_azimuth(const Lobe& lobe, double theta, int y) const {
-    const double reach2 =
-        std::pow(near_texels_ * row_height(), 2) - std::pow(lobe_width(lobe), 2);
+    const double reach2 = std::pow(near_texels_ * row_height(), 2) - std::pow(lobe_width(lobe), 2);
     if (reach2 <= 0) return 0;
     const double reach = std::sqrt(reach2);
     const double top = y * row_height(), bottom = (y + 1) * row_height();

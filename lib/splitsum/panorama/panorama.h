@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -50,5 +51,26 @@ struct Panorama {
 /// or layer, exposure not finite) and interrupted.
 Result<Panorama> read_panorama(const std::filesystem::path& path, const PanoramaOptions& options,
                                Progress& progress);
+
+/// The size of the panorama in a file, without reading its pixels. Fails as read_panorama does.
+struct PanoramaSize {
+    int width;
+    int height;
+};
+Result<PanoramaSize> panorama_size(const std::filesystem::path& path,
+                                   const PanoramaOptions& options);
+
+/// Takes the rows of a panorama band by band, from the top down.
+using PanoramaRows = std::function<void(int first_row, const Image& band)>;
+
+/// The same as read_panorama, without keeping the pixels: rows go to `rows` as they are read, and
+/// `pixels` of the result stays empty. Memory: a band of rows.
+///
+/// What cannot be decided band by band is not: a file with defects or colours out of gamut is left
+/// to read_panorama (then `rows` gets all of it at once), after a call of `restart` that takes back
+/// the rows so far. Fails as read_panorama does.
+Result<Panorama> stream_panorama(const std::filesystem::path& path, const PanoramaOptions& options,
+                                 const PanoramaRows& rows, const std::function<void()>& restart,
+                                 Progress& progress);
 
 }  // namespace splitsum

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -108,34 +109,95 @@ Status validate(const PanoramaOptions& options) {
                      most_stops, " to ", most_stops)};
 }
 
-}  // namespace
+// A file that is open, and everything that is known before its pixels are.
+struct OpenPanorama {
+    ImageReader reader;
+    ColorChoice color;
+    Panorama facts;
+};
 
-Result<Panorama> read_panorama(const fs::path& path, const PanoramaOptions& options,
-                               Progress& progress) {
+Result<OpenPanorama> open_panorama(const fs::path& path, const PanoramaOptions& options) {
     if (Status valid = validate(options); !valid) return valid.error();
     auto reader = ImageReader::open(path, options.layer);
     if (!reader) return reader.error();
     if (Status shape = check_shape(path, reader->info()); !shape) return shape.error();
-    const auto color = choose_color_space(reader->info(), options);
+    auto color = choose_color_space(reader->info(), options);
     if (!color) return color.error();
-    auto pixels = collect_rows(*reader, progress);
-    if (!pixels) return pixels.error();
     const auto hash = source_hash_of(path);
     if (!hash) return hash.error();
 
-    Panorama panorama;
-    panorama.pixels = std::move(*pixels);
-    panorama.source = path.filename().string();
-    panorama.source_hash = *hash;
-    panorama.color_space = color->name;
-    panorama.notes = reader->info().notes;
-    panorama.notes.insert(panorama.notes.end(), color->notes.begin(), color->notes.end());
+    Panorama facts;
+    facts.source = path.filename().string();
+    facts.source_hash = *hash;
+    facts.color_space = color->name;
+    facts.notes = reader->info().notes;
+    facts.notes.insert(facts.notes.end(), color->notes.begin(), color->notes.end());
+    return OpenPanorama{std::move(*reader), std::move(*color), std::move(facts)};
+}
 
+// Turns pixels as they are in the file into light.
+Status develop(const fs::path& path, const ColorConverter& converter,
+               const PanoramaOptions& options, Panorama& panorama) {
     Status status = take_out_defects(path, options.repair, panorama);
-    if (status) status = convert_colors(path, color->converter, options.repair, panorama);
+    if (status) status = convert_colors(path, converter, options.repair, panorama);
     if (status) status = expose(path, options.exposure_stops, panorama);
-    if (!status) return status.error();
+    return status;
+}
+
+}  // namespace
+
+Result<Panorama> read_panorama(const fs::path& path, const PanoramaOptions& options,
+                               Progress& progress) {
+    auto file = open_panorama(path, options);
+    if (!file) return file.error();
+    auto pixels = collect_rows(file->reader, progress);
+    if (!pixels) return pixels.error();
+    Panorama panorama = std::move(file->facts);
+    panorama.pixels = std::move(*pixels);
+    if (Status light = develop(path, file->color.converter, options, panorama); !light)
+        return light.error();
     return panorama;
+}
+
+Result<PanoramaSize> panorama_size(const fs::path& path, const PanoramaOptions& options) {
+    const auto reader = ImageReader::open(path, options.layer);
+    if (!reader) return reader.error();
+    if (Status shape = check_shape(path, reader->info()); !shape) return shape.error();
+    return PanoramaSize{reader->info().width, reader->info().height};
+}
+
+Result<Panorama> stream_panorama(const fs::path& path, const PanoramaOptions& options,
+                                 const PanoramaRows& rows, const std::function<void()>& restart,
+                                 Progress& progress) {
+    auto file = open_panorama(path, options);
+    if (!file) return file.error();
+    PanoramaOptions as_it_is = options;
+    as_it_is.repair = false;
+    bool defective = false;
+    progress.begin("read", file->reader.info().height);
+    const Status read = file->reader.read_rows(
+        [&](int first_row, int row_count, std::span<const float> rgb) -> Status {
+            if (progress.cancelled())
+                return Error{ErrorKind::interrupted, "stopped while reading the panorama"};
+            Panorama band;
+            band.color_space = file->facts.color_space;
+            band.pixels = Image(file->reader.info().width, row_count);
+            std::ranges::copy(rgb, band.pixels.rgb.begin());
+            const Status light = develop(path, file->color.converter, as_it_is, band);
+            defective = !light;
+            if (light) rows(first_row, band.pixels);
+            progress.advance(row_count);
+            return light;
+        });
+    if (defective) {
+        restart();
+        auto panorama = read_panorama(path, options, progress);
+        if (panorama) rows(0, panorama->pixels);
+        return panorama;
+    }
+    if (!read) return read.error();
+    file->facts.exposure_stops = options.exposure_stops;
+    return std::move(file->facts);
 }
 
 }  // namespace splitsum

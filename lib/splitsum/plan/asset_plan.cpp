@@ -43,8 +43,7 @@ Status check_curve(const SpecularPlan& plan) {
 
 Status validate(const FilterPlan& plan) {
     if (plan.method.empty())
-        return Error{ErrorKind::bad_argument,
-                     "no filter method was named; the default is auto"};
+        return Error{ErrorKind::bad_argument, "no filter method was named; the default is auto"};
     if (!(plan.accuracy >= 1e-5 && plan.accuracy <= 0.1))  // written so that NaN fails too
         return Error{ErrorKind::bad_argument,
                      cat("the accuracy must be from 1e-5 to 0.1, got ", plan.accuracy)};

@@ -13,11 +13,11 @@ namespace splitsum {
 
 /// How hard a filter works, whatever it filters.
 struct FilterPlan {
-    std::string method = "auto";      ///< a name from filter_methods()
-    int samples = 1024;               ///< directions per texel; of the sampling methods
-    double accuracy = 3e-4;           ///< rel_rms by which `auto` and `spectral` may miss, in [1e-5, 0.1]
-    bool rotate_samples = false;      ///< turn the sample set by an angle hashed from the texel
-    uint32_t seed = 0;                ///< of that hash; change it to see the noise
+    std::string method = "auto";  ///< a name from filter_methods()
+    int samples = 1024;           ///< directions per texel; of the sampling methods
+    double accuracy = 3e-4;  ///< rel_rms by which `auto` and `spectral` may miss, in [1e-5, 0.1]
+    bool rotate_samples = false;  ///< turn the sample set by an angle hashed from the texel
+    uint32_t seed = 0;            ///< of that hash; change it to see the noise
 };
 
 /// The prefiltered chain: reading level l towards R gives the radiance that a mirror of that

@@ -42,8 +42,7 @@ Json files_json(const BakeReport& report) {
     return files;
 }
 
-Json stored_json(const LevelCheck& check, const EncodeCounts& counts,
-                 const LevelAccount& account) {
+Json stored_json(const LevelCheck& check, const EncodeCounts& counts, const LevelAccount& account) {
     Json json = check_json(check);
     json.update(account_json(account));
     json["saturated"] = counts.saturated;
@@ -61,7 +60,8 @@ Json measured_json(const BakeReport& report) {
     return {{"against", "method reference, fp64, on the stored texels"},
             {"probes_per_level", report.probes},
             {"specular", specular},
-            {"irradiance", stored_json(report.irradiance, report.irradiance_counts, report.accounts.back())},
+            {"irradiance",
+             stored_json(report.irradiance, report.irradiance_counts, report.accounts.back())},
             {"harmonics", harmonics}};
 }
 
@@ -108,9 +108,9 @@ std::string report_text(const BakeReport& report) {
     text << "mean radiance " << rgb_text(report.source_mean_radiance) << ", exposure "
          << report.source.exposure_stops << " stops\n\n"
          << "method " << report.specular_facts.filter.method << ", accuracy "
-         << report.specular_facts.filter.accuracy << ", "
-         << report.specular_facts.filter.samples << " samples, convention "
-         << report.specular_facts.orientation.convention << ", " << info_of(report.format).name
+         << report.specular_facts.filter.accuracy << ", " << report.specular_facts.filter.samples
+         << " samples, convention " << report.specular_facts.orientation.convention << ", "
+         << info_of(report.format).name
          << "\n\nError of the stored texels against exact integration:\n"
          << figures_heading();
     for (const LevelCheck& check : report.specular)
@@ -118,7 +118,8 @@ std::string report_text(const BakeReport& report) {
                              &report.accounts[size_t(check.level)]);
     text << figures_line("irradiance", report.irradiance, &report.accounts.back())
          << figures_line("harmonics", report.harmonics) << "\n"
-         << saturation_text(report) << "\n" << clamped_text(report) << "\n\nFiles:\n";
+         << saturation_text(report) << "\n"
+         << clamped_text(report) << "\n\nFiles:\n";
     for (const WrittenFile& file : report.files)
         text << "  " << file.name << "  " << file.bytes << " bytes: " << file.what << "\n";
     return text.str();

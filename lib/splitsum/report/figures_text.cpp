@@ -9,6 +9,13 @@ namespace {
 constexpr int name_width = 12;
 constexpr int column_width = 11;
 
+std::string made_by(const LevelAccount& account) {
+    std::ostringstream text;
+    text << account.method << std::scientific << std::setprecision(2);
+    if (account.bands > 0) text << ", " << account.bands << " bands, bound " << account.error_bound;
+    return text.str();
+}
+
 }  // namespace
 
 std::string figures_heading() {
@@ -28,10 +35,14 @@ std::string figures_line(const std::string& what, const LevelCheck& check,
          << std::setw(column_width) << check.figures.rel_rms << std::setw(column_width)
          << check.figures.max_rel << std::setw(column_width) << check.figures.bias
          << std::setw(column_width) << check.figures.texels;
-    if (account) line << "  " << account->method;
-    if (account && account->bands > 0)
-        line << ", " << account->bands << " bands, bound " << account->error_bound;
+    if (account) line << "  " << made_by(*account);
     line << "\n";
+    return line.str();
+}
+
+std::string account_line(const std::string& what, const LevelAccount& account) {
+    std::ostringstream line;
+    line << std::left << std::setw(name_width) << what << made_by(account) << "\n";
     return line.str();
 }
 

@@ -16,4 +16,7 @@ std::string figures_heading();
 std::string figures_line(const std::string& what, const LevelCheck& check,
                          const LevelAccount* account = nullptr);
 
+/// One line for a level that was not measured: its method and error bound.
+std::string account_line(const std::string& what, const LevelAccount& account);
+
 }  // namespace splitsum

@@ -192,7 +192,8 @@ struct FaceFrame {
     FaceFrame(int face, const Mat3d& panorama_from_cube) {
         const auto on_plane = [&](double s, double t) {  // on the plane at distance 1
             const Vec3d d = direction_on_face(face, s, t);
-            return panorama_from_cube * (d / std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}));
+            return panorama_from_cube *
+                   (d / std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}));
         };
         corner = on_plane(0, 0);
         right = on_plane(1, 0) - corner;

@@ -5,29 +5,12 @@
 #include <numbers>
 
 #include "splitsum/base/parallel.h"
+#include "splitsum/sphere/environment_builder.h"
 
 namespace splitsum {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-// The part of [first, first + 1) of a coarse axis that each fine cell covers.
-struct Overlap {
-    int cell;
-    double from;  // in fine cells
-    double to;
-};
-
-std::vector<Overlap> overlaps(int coarse_cell, int coarse_count, int fine_count) {
-    const double from = double(coarse_cell) * fine_count / coarse_count;
-    const double to = double(coarse_cell + 1) * fine_count / coarse_count;
-    std::vector<Overlap> cells;
-    for (int cell = int(from); cell < fine_count && cell < to; ++cell) {
-        const double low = std::max(from, double(cell)), high = std::min(to, cell + 1.0);
-        if (high > low) cells.push_back({cell, low, high});
-    }
-    return cells;
-}
 
 // cos(a) - cos(b) without cancellation.
 double cosine_difference(double a, double b) {
@@ -77,29 +60,10 @@ Vec3d mean_radiance(const Environment& environment) {
     return sum / (4 * pi);
 }
 
-Environment averaged_down(const Environment& fine, int height) {
-    Environment coarse(height);
-    const double step = pi / fine.height();
-    std::vector<std::vector<Overlap>> columns;
-    for (int x = 0; x < coarse.width(); ++x)
-        columns.push_back(overlaps(x, coarse.width(), fine.width()));
-
-    parallel_rows(height, [&](int y) {
-        std::vector<Vec3d> sums(columns.size(), Vec3d(0));
-        double total = 0;
-        for (const Overlap& row : overlaps(y, height, fine.height())) {
-            const double weight = cosine_difference(row.from * step, row.to * step);
-            total += weight;
-            for (size_t x = 0; x < columns.size(); ++x)
-                for (const Overlap& column : columns[x])
-                    sums[x] += weight * (column.to - column.from) *
-                               Vec3d(fine.texel(column.cell, row.cell));
-        }
-        const double columns_per_texel = double(fine.width()) / coarse.width();
-        for (size_t x = 0; x < sums.size(); ++x)
-            coarse.set_texel(int(x), y, Vec3(sums[x] / (total * columns_per_texel)));
-    });
-    return coarse;
+Environment averaged_down(const Environment& environment, int height) {
+    EnvironmentBuilder builder(environment.height(), height);
+    builder.add_rows(environment.height(), environment.texels().data(), 4);
+    return std::move(builder).finish();
 }
 
 }  // namespace splitsum

@@ -42,7 +42,8 @@ Mat3d panorama_from_cube(const Orientation& orientation) {
     const Convention& convention = *find_convention(orientation.convention);
     const double flip = orientation.mirror ? -1 : 1;
     const double s = flip * convention.sign;
-    const double o = flip * std::remainder(convention.offset_degrees - orientation.rotate_degrees, 360.0) *
+    const double o = flip *
+                     std::remainder(convention.offset_degrees - orientation.rotate_degrees, 360.0) *
                      std::numbers::pi / 180;
     // sin(s a + o) = s sin(a) cos(o) + cos(a) sin(o), and the cosine likewise.
     return Mat3d(Vec3d(s * std::cos(o), 0, -s * std::sin(o)), Vec3d(0, 1, 0),

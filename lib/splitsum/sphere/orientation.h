@@ -24,8 +24,9 @@ std::span<const Convention> conventions();
 
 /// How a panorama is turned before and while it is laid around the cube.
 struct Orientation {
-    double rotate_degrees = 0;  ///< turns the panorama: what was in its middle (+Z) moves towards +X
-    bool mirror = false;        ///< swaps left and right of the panorama, before it is turned
+    double rotate_degrees =
+        0;                ///< turns the panorama: what was in its middle (+Z) moves towards +X
+    bool mirror = false;  ///< swaps left and right of the panorama, before it is turned
     std::string convention = "ktx";
 };
 

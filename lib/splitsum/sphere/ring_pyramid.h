@@ -33,7 +33,8 @@ struct RingLevel {
 /// the mean of the light over its extent, weighted by exact solid angles, so that every level has
 /// the mean radiance of the environment.
 struct RingPyramid {
-    std::vector<RingLevel> levels;  ///< finest first; the last has two rings (one, if the input has)
+    std::vector<RingLevel>
+        levels;  ///< finest first; the last has two rings (one, if the input has)
 };
 
 /// Cost: about 3.5 passes over the environment; memory 2.2 times its own.

@@ -41,7 +41,8 @@ Vec3 mean_over_texel(const CheckedAgainst& truth, const Probe& probe, int face_s
         for (int i = 0; i < points; ++i) {
             const double s = (probe.x + (i + 0.5) / points) / face_size;
             const double t = (probe.y + (j + 0.5) / points) / face_size;
-            const double weight = std::pow(1 + std::pow(2 * s - 1, 2) + std::pow(2 * t - 1, 2), -1.5);
+            const double weight =
+                std::pow(1 + std::pow(2 * s - 1, 2) + std::pow(2 * t - 1, 2), -1.5);
             const Vec3d d = truth.panorama_from_cube * direction_on_face(probe.face, s, t);
             sum += weight * Vec3d(radiance_towards(truth.environment, d));
             total += weight;
@@ -75,8 +76,8 @@ Result<LevelCheck> check_cubemap(const Cubemap& cubemap, const Lobe& lobe,
     const auto exact = [&](size_t i) {
         const Probe& p = probes[i];
         if (mirror) return mean_over_texel(truth, p, cubemap.face_size);
-        const Vec3d towards = truth.panorama_from_cube *
-                              direction_of_texel(p.face, p.x, p.y, cubemap.face_size);
+        const Vec3d towards =
+            truth.panorama_from_cube * direction_of_texel(p.face, p.x, p.y, cubemap.face_size);
         Vec3 radiance;
         reference->evaluate(0, {{&towards, 1}}, {&radiance, 1});
         return radiance;
@@ -122,8 +123,8 @@ Result<LevelCheck> check_irradiance(const Cubemap& irradiance, double stored_fac
     return check;
 }
 
-Result<LevelCheck> check_harmonics(const IrradianceHarmonics& harmonics, const CheckedAgainst& truth,
-                                   Progress& progress) {
+Result<LevelCheck> check_harmonics(const IrradianceHarmonics& harmonics,
+                                   const CheckedAgainst& truth, Progress& progress) {
     // A cubemap of the series' values makes this the same question as above.
     constexpr int face_size = 16;
     Cubemap values(face_size);

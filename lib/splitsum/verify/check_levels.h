@@ -47,7 +47,7 @@ Result<LevelCheck> check_irradiance(const Cubemap& irradiance, double stored_fac
 
 /// Compares what a renderer evaluates from the harmonics with exact irradiance: the figure is the
 /// price of the short series, not of how it was computed.
-Result<LevelCheck> check_harmonics(const IrradianceHarmonics& harmonics, const CheckedAgainst& truth,
-                                   Progress& progress);
+Result<LevelCheck> check_harmonics(const IrradianceHarmonics& harmonics,
+                                   const CheckedAgainst& truth, Progress& progress);
 
 }  // namespace splitsum

@@ -58,9 +58,9 @@ TEST(BandLimit, TheErrorOfSpectralIsUnderItsBound) {
             std::vector<Vec3d> directions;  // evenly over the sphere
             constexpr int count = 500;
             for (int i = 0; i < count; ++i)
-                directions.push_back(direction_of_lat_long(
-                    std::fmod(0.618034 * i, 1.0),
-                    std::acos(1 - 2 * (i + 0.5) / count) / 3.14159265358979));
+                directions.push_back(
+                    direction_of_lat_long(std::fmod(0.618034 * i, 1.0),
+                                          std::acos(1 - 2 * (i + 0.5) / count) / 3.14159265358979));
             std::vector<Vec3> values(count), truth(count);
             spectral->evaluate(0, {directions}, values);
             reference->evaluate(0, {directions}, truth);

@@ -16,8 +16,10 @@ TEST(NarrowLobe, ItsPartsAddUpToTheLobe) {
         const Lobe lobe{LobeKind::ggx, alpha};
         return exact.over_hemisphere(lobe, d) / lobe_integral(lobe);
     };
-    const Vec3d directions[] = {normalize(Vec3d(0.41, 0.5, -0.69)), {0, 1, 0},
-                                normalize(Vec3d(-0.3, 0.2, -0.9)), {0, 0, -1}};
+    const Vec3d directions[] = {normalize(Vec3d(0.41, 0.5, -0.69)),
+                                {0, 1, 0},
+                                normalize(Vec3d(-0.3, 0.2, -0.9)),
+                                {0, 0, -1}};
     for (const double alpha : {1e-6, 1e-3, 0.005, 0.02}) {
         const NarrowLobe narrow(alpha, 0.04, 1e-5);
         for (const Vec3d& d : directions) {

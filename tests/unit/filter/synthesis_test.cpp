@@ -16,9 +16,9 @@ Spectrum one_harmonic(int bands, int l, int m) {
     Spectrum spectrum(bands);
     const auto order = spectrum.order(m);
     const size_t at = size_t(l - m) * 6;
-    order[at + 0] = 1;                 // red: real part
-    order[at + 4] = m > 0 ? 1 : 0;     // green: imaginary part
-    order[at + 2] = 0.5;               // blue
+    order[at + 0] = 1;              // red: real part
+    order[at + 4] = m > 0 ? 1 : 0;  // green: imaginary part
+    order[at + 2] = 0.5;            // blue
     return spectrum;
 }
 
@@ -55,8 +55,9 @@ TEST(Synthesis, InterpolationStaysUnderItsStatedError) {
         const SphereGrid fine = synthesize(one_harmonic(bands, l, l / 2), factors, 16 * rings);
         double error2 = 0, value2 = 0;
         for (int i = 0; i < 2000; ++i) {
-            const Vec3d d = direction_of_lat_long(std::fmod(0.618034 * i, 1.0),
-                                                  std::acos(1 - 2 * (i + 0.5) / 2000) / std::numbers::pi);
+            const Vec3d d =
+                direction_of_lat_long(std::fmod(0.618034 * i, 1.0),
+                                      std::acos(1 - 2 * (i + 0.5) / 2000) / std::numbers::pi);
             const double truth = double(interpolate(fine, d).x);
             error2 += std::pow(double(interpolate(coarse, d).x) - truth, 2);
             value2 += truth * truth;

@@ -20,13 +20,14 @@ Cubemap mirror_image(const Environment& environment, int face_size,
 TEST(AreaFilter, KeepsTheMeanForEverySizeEvenOfOneTexelSuns) {
     for (const int height : {1, 2, 5, 32, 200}) {
         Environment sky = tests::lopsided_sky(height, 1e5f);
-        sky.set_texel(0, 0, Vec3(1e6f, 0, 0));                            // at the pole
-        sky.set_texel(sky.width() - 1, height / 2, Vec3(0, 1e6f, 0));     // at the seam
+        sky.set_texel(0, 0, Vec3(1e6f, 0, 0));                         // at the pole
+        sky.set_texel(sky.width() - 1, height / 2, Vec3(0, 1e6f, 0));  // at the seam
         const Vec3d mean = mean_radiance(sky);
         for (const int size : {1, 2, 3, 16, 33}) {
             const Vec3d filtered = mean_radiance(mirror_image(sky, size));
             for (int c = 0; c < 3; ++c)
-                EXPECT_NEAR(filtered[c], mean[c], 1e-6 * mean[c]) << height << " rows, size " << size;
+                EXPECT_NEAR(filtered[c], mean[c], 1e-6 * mean[c])
+                    << height << " rows, size " << size;
         }
     }
 }
