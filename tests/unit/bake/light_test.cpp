@@ -1,0 +1,108 @@
+#include "splitsum/bake/light.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <limits>
+
+#include "splitsum/filter/irradiance_harmonics.h"
+#include "splitsum/measure/error_figures.h"
+#include "support/lopsided_sky.h"
+#include "support/temporary_folder.h"
+
+namespace splitsum {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int rows = 1152;  // just enough to be streamed
+
+// A Portable Float Map: a line of text for each of kind, size and byte order, then rows from the
+// bottom up.
+void write_pfm(const fs::path& path, const Environment& sky, Vec3 first_texel) {
+    std::ofstream file(path, std::ios::binary);
+    file << "PF\n" << sky.width() << " " << sky.height() << "\n-1.0\n";
+    for (int y = sky.height() - 1; y >= 0; --y)
+        for (int x = 0; x < sky.width(); ++x) {
+            const Vec3 texel = x == 0 && y == 0 ? first_texel : sky.texel(x, y);
+            file.write(reinterpret_cast<const char*>(&texel), sizeof texel);
+        }
+}
+
+LevelsPlan small_plan() {
+    LevelsPlan plan;
+    plan.specular = SpecularPlan{16, 3, {}};
+    plan.irradiance = IrradiancePlan{};
+    plan.irradiance->face_size = 8;
+    return plan;
+}
+
+class StreamedLight : public testing::Test {
+protected:
+    Result<Light> load(bool keep_texels, const PanoramaOptions& options = {}) {
+        NoProgress progress;
+        return load_light(path(), options, small_plan(), keep_texels, progress);
+    }
+    fs::path path() const { return folder_.path() / "sky.pfm"; }
+
+    tests::TemporaryFolder folder_;
+    Environment sky_ = tests::lopsided_sky(rows, 500);
+};
+
+TEST_F(StreamedLight, FiltersLikeLightInMemory) {
+    write_pfm(path(), sky_, sky_.texel(0, 0));
+    const auto streamed = load(false), kept = load(true);
+    ASSERT_TRUE(streamed) << streamed.error().message;
+    ASSERT_TRUE(kept);
+    ASSERT_TRUE(streamed->spectrum);
+    EXPECT_FALSE(kept->spectrum);
+    EXPECT_LT(streamed->environment.height(), rows);
+    EXPECT_EQ(streamed->source.hash, kept->source.hash);
+
+    NoProgress progress;
+    const auto a = filter_levels(streamed->filter_source(), small_plan(), progress);
+    const auto b = filter_levels(kept->filter_source(), small_plan(), progress);
+    ASSERT_TRUE(a);
+    ASSERT_TRUE(b);
+    for (size_t level = 1; level < a->specular.size(); ++level)
+        EXPECT_LT(error_figures(std::span<const Vec3>(a->specular[level].texels),
+                                b->specular[level].texels)
+                      .rel_rms,
+                  2e-4);
+    EXPECT_LT(
+        error_figures(std::span<const Vec3>(a->irradiance->texels), b->irradiance->texels).rel_rms,
+        2e-4);
+    // The mirror level comes from an average, which keeps the energy.
+    const Vec3d streamed_mean = mean_radiance(a->specular[0]), mean = mean_radiance(sky_);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(streamed_mean[c] / mean[c], 1, 1e-5);
+
+    const auto series = irradiance_harmonics(streamed->filter_source(), 2, false, Mat3d(1));
+    const auto direct = irradiance_harmonics(kept->filter_source(), 2, false, Mat3d(1));
+    for (size_t i = 0; i < series.coefficients.size(); ++i)
+        EXPECT_LT(length(series.coefficients[i] - direct.coefficients[i]), 1e-5);
+}
+
+TEST_F(StreamedLight, RefusesDefectsAsReadingDoes) {
+    write_pfm(path(), sky_, Vec3(std::numeric_limits<float>::quiet_NaN()));
+    const auto streamed = load(false), kept = load(true);
+    ASSERT_FALSE(streamed);
+    ASSERT_FALSE(kept);
+    EXPECT_EQ(streamed.error().kind, ErrorKind::unusable_input);
+    EXPECT_EQ(streamed.error().message, kept.error().message);
+}
+
+TEST_F(StreamedLight, RepairsWhatItWasAskedTo) {
+    write_pfm(path(), sky_, Vec3(std::numeric_limits<float>::quiet_NaN()));
+    PanoramaOptions options;
+    options.repair = true;
+    const auto streamed = load(false, options);
+    ASSERT_TRUE(streamed) << streamed.error().message;
+    EXPECT_EQ(streamed->source.repaired_texels, 1);
+    const Vec3d mean = mean_radiance(streamed->environment);
+    EXPECT_LT(length(mean - mean_radiance(sky_)), 1e-4 * length(mean));
+}
+
+}  // namespace
+}  // namespace splitsum
