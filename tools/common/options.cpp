@@ -62,6 +62,10 @@ ReadingOptions::ReadingOptions(CLI::App& app, const std::string& fallback) {
                    "OpenColorIO configuration (default: $OCIO, else the built-in one)")
         ->option_text("FILE")
         ->envname("OCIO");
+    app.add_option("--layer", plan_.layer,
+                   "layer of an EXR file (default: the one without a name, else the only one)")
+        ->option_text("NAME")
+        ->check(not_empty());
     exposure_ = add_number(app, "--exposure", plan_.exposure_stops, 64, "STOPS",
                            "multiply radiance by 2^STOPS, -64 to 64", fallback);
     app.add_flag(

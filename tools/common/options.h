@@ -20,7 +20,7 @@
 
 namespace splitsum::tools {
 
-/// How panoramas are read: --colorspace, --ocio-config, --exposure, --repair. `fallback` is what
+/// How panoramas are read: --colorspace, --ocio-config, --layer, --exposure, --repair. `fallback` is what
 /// --help names as the default of --exposure where that is not 0.
 struct ReadingOptions {
     explicit ReadingOptions(CLI::App& app, const std::string& fallback = "");

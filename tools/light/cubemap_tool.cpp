@@ -86,7 +86,7 @@ void CubemapOutputOptions::print(const std::vector<LevelCheck>& checks,
                   << "stored as that\n";
     for (size_t i = 0; checks.empty() && i < accounts.size(); ++i)
         std::cout << account_line(cat("level ", i), accounts[i]);
-    if (!checks.empty()) std::cout << figures_heading();
+    if (!checks.empty()) std::cout << figures_heading(!accounts.empty());
     for (size_t i = 0; i < checks.size(); ++i)
         std::cout << figures_line(cat("level ", i), checks[i],
                                   i < accounts.size() ? &accounts[i] : nullptr);

@@ -141,7 +141,7 @@ void print(const Comparison& comparison, const std::vector<std::string>& over, b
         return;
     }
     for (const std::string& note : comparison.notes) std::cout << "note: " << note << "\n";
-    std::cout << figures_heading();
+    std::cout << figures_heading(false);
     for (const LevelCheck& check : comparison.levels)
         std::cout << figures_line(cat("level ", check.level), check);
     for (const std::string& line : over) std::cout << line << "\n";

@@ -112,7 +112,7 @@ std::string report_text(const BakeReport& report) {
          << " samples, convention " << report.specular_facts.orientation.convention << ", "
          << info_of(report.format).name
          << "\n\nError of the stored texels against exact integration:\n"
-         << figures_heading();
+         << figures_heading(true);
     for (const LevelCheck& check : report.specular)
         text << figures_line(cat("specular ", check.level), check,
                              &report.accounts[size_t(check.level)]);

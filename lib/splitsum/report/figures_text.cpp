@@ -18,12 +18,12 @@ std::string made_by(const LevelAccount& account) {
 
 }  // namespace
 
-std::string figures_heading() {
+std::string figures_heading(bool with_accounts) {
     std::ostringstream line;
     line << std::left << std::setw(name_width) << "" << std::right;
     for (const char* name : {"size", "roughness", "rel_rms", "max_rel", "bias", "probes"})
         line << std::setw(column_width) << name;
-    return line.str() + "  method\n";
+    return line.str() + (with_accounts ? "  method\n" : "\n");
 }
 
 std::string figures_line(const std::string& what, const LevelCheck& check,

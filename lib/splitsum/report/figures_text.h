@@ -8,8 +8,8 @@
 
 namespace splitsum {
 
-/// The heading of the lines that figures_line writes.
-std::string figures_heading();
+/// The heading of the lines that figures_line writes, with or without accounts.
+std::string figures_heading(bool with_accounts);
 
 /// One line of a table of figures for people; `what` stands in the first column. With an account,
 /// the method and its error bound end the line.
