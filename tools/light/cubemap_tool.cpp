@@ -40,8 +40,10 @@ int CubemapOutputOptions::probes(const Light& light) const {
     return light.spectrum ? 0 : affordable_probes(light.environment);
 }
 
-Status CubemapOutputOptions::check() const {
-    if (const auto container = container_of(path_); !container) return container.error();
+Status CubemapOutputOptions::check(const CubeShape& shape) const {
+    const auto container = container_of(path_);
+    if (!container) return container.error();
+    if (const Status fits = container->check_cube(shape); !fits) return fits;
     return check_writable(path_);
 }
 

@@ -31,9 +31,9 @@ public:
 
     const std::filesystem::path& path() const { return path_; }
 
-    /// Whether the output can be written, asked before the work. Fails with bad_argument (unknown
-    /// ending) or unwritable_output.
-    Status check() const;
+    /// Whether such a cubemap can be written, asked before the work. Fails with bad_argument (unknown
+    /// ending, a shape that this kind of file cannot hold) or unwritable_output.
+    Status check(const CubeShape& shape) const;
 
     /// Measures what will be stored, writes it and prints the figures.
     Status measure_and_write(const CubemapAsset& asset, const std::vector<LevelAccount>& accounts,

@@ -84,8 +84,9 @@ public:
         std::cout << folder.string()
                   << "/: " << join(report.files, ", ", [](const auto& file) { return file.name; })
                   << ", report.json, report.txt\n"
-                  << "  worst rel_rms beyond the mirror level " << std::setprecision(2) << std::scientific
-                  << worst_rel_rms(report) << ", " << std::fixed << seconds << " s\n";
+                  << "  worst rel_rms beyond the mirror level " << std::setprecision(2)
+                  << std::scientific << worst_rel_rms(report) << ", " << std::fixed << seconds
+                  << " s\n";
         for (const std::string& note : report.notes) std::cout << "  note: " << note << "\n";
         std::cout << std::flush;
     }

@@ -67,7 +67,9 @@ int main(int argc, char** argv) {
 
     return tools::run_tool(app, argc, argv, [&](Progress& progress) -> Status {
         const bool series = is_harmonics(output.path());
-        const Status possible = series ? check_writable(output.path()) : output.check();
+        const Status possible =
+            series ? check_writable(output.path())
+                   : output.check({encoding.format(), irradiance.plan.face_size, 1});
         if (!possible) return possible;
         const LevelsPlan plan{std::nullopt, irradiance.plan, filter.plan, orientation.plan};
         const auto light =

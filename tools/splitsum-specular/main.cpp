@@ -23,7 +23,8 @@ int main(int argc, char** argv) {
     return tools::run_tool(app, argc, argv, [&](Progress& progress) -> Status {
         const auto plan = specular.plan();
         if (!plan) return plan.error();
-        if (const Status possible = output.check(); !possible) return possible;
+        const Status possible = output.check({encoding.format(), plan->face_size, plan->levels});
+        if (!possible) return possible;
         const LevelsPlan levels_plan{*plan, std::nullopt, filter.plan, orientation.plan};
         const auto light = load_light(input.panorama(), input.plan(), levels_plan,
                                       output.probes_given(), progress);

@@ -5,6 +5,7 @@
 
 #include "splitsum/base/text.h"
 #include "splitsum/container/exr.h"
+#include "splitsum/container/exr_cube.h"
 
 namespace splitsum {
 namespace {
@@ -13,12 +14,12 @@ constexpr Container table[] = {
     {".ktx2", "KTX 2: any format, as engines load it",
      [](const TextureAsset& texture, const std::filesystem::path& path,
         const ContainerOptions& options) { return write_ktx2(texture, path, options.ktx2); },
-     read_ktx2},
+     read_ktx2, [](const CubeShape&) -> Status { return ok; }},
     {".exr", "OpenEXR: cube-face environment maps with MIP levels, tables; half floats and floats",
      [](const TextureAsset& texture, const std::filesystem::path& path, const ContainerOptions&) {
          return write_exr(texture, path);
      },
-     read_exr},
+     read_exr, check_exr_cube},
 };
 
 std::string lower_case(std::string text) {

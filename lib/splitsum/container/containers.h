@@ -22,6 +22,8 @@ struct Container {
     Status (*write)(const TextureAsset& texture, const std::filesystem::path& path,
                     const ContainerOptions& options);
     Result<TextureAsset> (*read)(const std::filesystem::path& path);
+    /// Whether it can hold such a cubemap, asked before the work. Fails with bad_argument.
+    Status (*check_cube)(const CubeShape& shape);
 };
 
 /// Every container; one line each.

@@ -24,16 +24,9 @@ constexpr unsigned tile_edge = 64;
 
 Status check_cube(const TextureAsset& texture) {
     if (Status valid = validate(texture); !valid) return valid;
-    if (texture.format != PixelFormat::rgba16f && texture.format != PixelFormat::rgba32f)
-        return Error{ErrorKind::bad_argument, cat("EXR cubemaps are rgba16f or rgba32f, not ",
-                                                  info_of(texture.format).name)};
     if (texture.face_count != 6)
         return Error{ErrorKind::bad_argument, "a 2D texture is no cubemap"};
-    if (texture.levels.size() > 1 && !std::has_single_bit(static_cast<unsigned>(texture.width)))
-        return Error{ErrorKind::bad_argument,
-                     cat("EXR cubemaps with several levels need a power of two as face size, got ",
-                         texture.width, "; other sizes work with a single level or as .ktx2")};
-    return ok;
+    return check_exr_cube({texture.format, texture.width, static_cast<int>(texture.levels.size())});
 }
 
 Result<Imf::Header> cube_header(const TextureAsset& texture) {
@@ -173,6 +166,17 @@ Result<TextureAsset> decode_exr_cube(std::span<const std::byte> bytes) {
                 exr::turned_faces(stack[level], std::max(1, texture->width >> level), stride);
         return std::move(texture);
     });
+}
+
+Status check_exr_cube(const CubeShape& shape) {
+    if (shape.format != PixelFormat::rgba16f && shape.format != PixelFormat::rgba32f)
+        return Error{ErrorKind::bad_argument,
+                     cat("EXR cubemaps are rgba16f or rgba32f, not ", info_of(shape.format).name)};
+    if (shape.levels > 1 && !std::has_single_bit(static_cast<unsigned>(shape.face_size)))
+        return Error{ErrorKind::bad_argument,
+                     cat("EXR cubemaps with several levels need a power of two as face size, got ",
+                         shape.face_size, "; other sizes work with a single level or as .ktx2")};
+    return ok;
 }
 
 Status write_exr_cube(const TextureAsset& texture, const std::filesystem::path& path) {

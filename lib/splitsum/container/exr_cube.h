@@ -42,4 +42,7 @@ Status write_exr_cube(const TextureAsset& texture, const std::filesystem::path& 
 /// decode_exr_cube of a file; messages begin with its path.
 Result<TextureAsset> read_exr_cube(const std::filesystem::path& path);
 
+/// Whether a cubemap of that shape can be stored, asked before it is made. Fails with bad_argument.
+Status check_exr_cube(const CubeShape& shape);
+
 }  // namespace splitsum

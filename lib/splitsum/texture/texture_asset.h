@@ -27,6 +27,13 @@ struct TextureAsset {
     std::map<std::string, std::string> metadata;
 };
 
+/// A cubemap before it is made.
+struct CubeShape {
+    PixelFormat format;
+    int face_size;
+    int levels;
+};
+
 /// How many bytes `levels[level]` of a texture with that format, size and number of faces holds.
 size_t bytes_of_level(const TextureAsset& texture, int level);
 
