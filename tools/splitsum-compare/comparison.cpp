@@ -41,7 +41,10 @@ Result<AssetFacts> facts_with_options(const AssetFile& file, const CompareOption
         const auto curve =
             parse_roughness_curve(options.roughness.empty() ? "linear" : options.roughness);
         if (!curve) return curve.error();
-        facts.perceptual_roughness = roughness_of_levels(*curve, int(file.levels.size()));
+        // A list says how many levels it is for; the curves fit any number.
+        facts.perceptual_roughness = curve->kind == RoughnessCurve::Kind::list
+                                         ? curve->list
+                                         : roughness_of_levels(*curve, int(file.levels.size()));
     }
     if (is_chain && facts.perceptual_roughness.size() != file.levels.size())
         return mismatch(cat(options.asset, " has ", file.levels.size(), " levels and names ",
