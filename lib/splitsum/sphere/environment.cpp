@@ -6,16 +6,12 @@
 
 #include "splitsum/base/parallel.h"
 #include "splitsum/sphere/environment_builder.h"
+#include "splitsum/sphere/lat_long_average_detail.h"
 
 namespace splitsum {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-// cos(a) - cos(b) without cancellation.
-double cosine_difference(double a, double b) {
-    return 2 * std::sin(0.5 * (a + b)) * std::sin(0.5 * (b - a));
-}
 
 }  // namespace
 
@@ -31,7 +27,7 @@ Environment::Environment(const Image& panorama) : Environment(panorama.height) {
 }
 
 double solid_angle_of_row(int y, int height) {
-    return pi / height * cosine_difference(pi * y / height, pi * (y + 1) / height);
+    return pi / height * zone_height(double(y) / height, double(y + 1) / height);
 }
 
 Vec3d direction_of_lat_long(double u, double v) {

@@ -5,15 +5,10 @@
 #include <numbers>
 
 #include "splitsum/base/parallel.h"
+#include "splitsum/sphere/lat_long_average_detail.h"
 
 namespace splitsum {
 namespace {
-
-// cos(pi from) - cos(pi to) without cancellation.
-double zone_height(double from, double to) {
-    return 2 * std::sin(0.5 * std::numbers::pi * (from + to)) *
-           std::sin(0.5 * std::numbers::pi * (to - from));
-}
 
 // The mean of a fine row over each of `sums.size()` equal arcs.
 void average_along(const float* texels, int width, int floats_per_texel, std::vector<Vec3d>& sums) {
@@ -22,14 +17,8 @@ void average_along(const float* texels, int width, int floats_per_texel, std::ve
     const int count = int(sums.size());
     parallel_rows((count + block - 1) / block, [&](int b) {
         for (int i = b * block; i < std::min(count, (b + 1) * block); ++i) {
-            const double from = i * ratio, to = (i + 1) * ratio;
-            Vec3d sum(0);
-            for (int x = int(from); x < width && x < to; ++x) {
-                const float* texel = texels + size_t(x) * size_t(floats_per_texel);
-                const double share = std::min(to, x + 1.0) - std::max(from, double(x));
-                sum += share * Vec3d(texel[0], texel[1], texel[2]);
-            }
-            sums[size_t(i)] = sum / ratio;
+            sums[size_t(i)] =
+                mean_over_arc(texels, width, floats_per_texel, i * ratio, (i + 1) * ratio);
         }
     });
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "splitsum/base/parallel.h"
+#include "splitsum/sphere/lat_long_average_detail.h"
 
 namespace splitsum {
 namespace {
@@ -19,10 +20,6 @@ int texels_around(int ring, int ring_count, int widest) {
     return std::clamp(texels, 2, std::max(2, widest));
 }
 
-double zone_height(double v0, double v1) {  // cos(pi v0) - cos(pi v1)
-    return 2 * std::sin(0.5 * pi * (v0 + v1)) * std::sin(0.5 * pi * (v1 - v0));
-}
-
 // A row of the finer grid: its texels stand one after the other, `count` around the circle.
 struct FineRow {
     const float* texels;
@@ -33,14 +30,8 @@ struct FineRow {
 void add_row(const FineRow& row, double weight, std::vector<Vec3d>& sums) {
     const double ratio = double(row.count) / double(sums.size());
     for (size_t i = 0; i < sums.size(); ++i) {
-        const double from = double(i) * ratio, to = double(i + 1) * ratio;
-        Vec3d sum(0);
-        for (int x = int(from); x < row.count && x < to; ++x) {
-            const double share = std::min(to, x + 1.0) - std::max(from, double(x));
-            const float* texel = row.texels + 4 * size_t(x);
-            sum += share * Vec3d(texel[0], texel[1], texel[2]);
-        }
-        sums[i] += weight / ratio * sum;
+        sums[i] += weight * mean_over_arc(row.texels, row.count, 4, double(i) * ratio,
+                                          double(i + 1) * ratio);
     }
 }
 
