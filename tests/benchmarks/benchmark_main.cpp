@@ -1,7 +1,18 @@
+#include "benchmark_main.h"
+
 #include <benchmark/benchmark.h>
 #include <unistd.h>
 
+#include <vector>
+
 namespace {
+
+using splitsum::benchmarks::ForEachFile;
+
+std::vector<ForEachFile::Register>& registrations() {
+    static std::vector<ForEachFile::Register> list;
+    return list;
+}
 
 // The console as ever, and a note of whether a benchmark found its own result wrong: Google
 // Benchmark prints such errors and exits with 0 all the same.
@@ -21,9 +32,15 @@ private:
 
 }  // namespace
 
+ForEachFile::ForEachFile(Register register_benchmarks) {
+    registrations().push_back(register_benchmarks);
+}
+
 int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+    if (registrations().empty() && benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+    for (int i = 1; i < argc; ++i)
+        for (const auto register_benchmarks : registrations()) register_benchmarks(argv[i]);
     StrictReporter reporter;
     const size_t run_count = benchmark::RunSpecifiedBenchmarks(&reporter);
     benchmark::Shutdown();

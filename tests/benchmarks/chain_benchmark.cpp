@@ -1,18 +1,24 @@
 // The whole specular chain as the tools make it by default: 256 x 256, 7 levels, linear, from
-// 1024 x 512 texels that are in memory. The error is that of the worst level beyond the mirror
+// 1024 x 512 texels that are in memory, or from the panoramas named on the command line. The error is that of the worst level beyond the mirror
 // image; `reference` is left out, which judges the others and takes a minute.
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+#include <string>
 #include <vector>
 
+#include "benchmark_main.h"
 #include "counters.h"
 #include "sky_made_once.h"
 #include "splitsum/base/parallel.h"
 #include "splitsum/base/text.h"
 #include "splitsum/filter/asset_levels.h"
 #include "splitsum/filter/methods.h"
+#include "splitsum/panorama/panorama.h"
 #include "splitsum/verify/check_levels.h"
 
 namespace splitsum::benchmarks {
@@ -41,9 +47,8 @@ void show_errors(benchmark::State& state, const std::vector<Cubemap>& levels,
     state.counters["mirror_rel_rms"] = checks->front().figures.rel_rms;
 }
 
-void filter_chain(benchmark::State& state, const tests::NamedSky& sky, const FilterMethod& method,
-                  int threads) {
-    const Environment& environment = sky_made_once(sky, environment_height);
+void filter_chain(benchmark::State& state, const Environment& environment,
+                  const FilterMethod& method, int threads) {
     const LevelsPlan plan = plan_of(method);
     NoProgress progress;
     std::vector<Cubemap> levels;
@@ -54,20 +59,42 @@ void filter_chain(benchmark::State& state, const tests::NamedSky& sky, const Fil
     show_errors(state, levels, plan, environment);
 }
 
+// `environment` gives an Environment that outlives the benchmarks.
+void register_chains(const std::string& name, const auto& environment) {
+    for (const FilterMethod& method : filter_methods()) {
+        if (!method.filters_ggx || method.name == "reference") continue;
+        for (const int threads : {1, 0})
+            benchmark::RegisterBenchmark(
+                cat(name, "/", method.name, "/threads:", threads == 0 ? "all" : "1").c_str(),
+                [=](benchmark::State& state) {
+                    filter_chain(state, environment(), method, threads);
+                })
+                ->Unit(benchmark::kMillisecond)
+                ->UseRealTime();
+    }
+}
+
 const bool registered = [] {
     for (const tests::NamedSky& sky : tests::skies())
-        for (const FilterMethod& method : filter_methods()) {
-            if (!method.filters_ggx || method.name == "reference") continue;
-            for (const int threads : {1, 0})
-                benchmark::RegisterBenchmark(
-                    cat(sky.name, "/", method.name, "/threads:", threads == 0 ? "all" : "1")
-                        .c_str(),
-                    filter_chain, sky, method, threads)
-                    ->Unit(benchmark::kMillisecond)
-                    ->UseRealTime();
-        }
+        register_chains(std::string(sky.name), [sky]() -> const Environment& {
+            return sky_made_once(sky, environment_height);
+        });
     return true;
 }();
+
+const ForEachFile captures([](const char* path) {
+    NoProgress progress;
+    PanoramaOptions options;
+    options.repair = true;  // some captures hold tiny negative values
+    const auto panorama = read_panorama(path, options, progress);
+    if (!panorama) {
+        std::cerr << panorama.error().message << "\n";
+        std::exit(2);
+    }
+    const auto environment = std::make_shared<const Environment>(panorama->pixels);
+    register_chains(panorama->source,
+                    [environment]() -> const Environment& { return *environment; });
+});
 
 }  // namespace
 }  // namespace splitsum::benchmarks
