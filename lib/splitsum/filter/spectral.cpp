@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "splitsum/filter/band_limit.h"
+#include "splitsum/filter/interpolation.h"
 #include "splitsum/filter/narrow_lobe.h"
 #include "splitsum/filter/spectrum.h"
 #include "splitsum/filter/synthesis.h"
@@ -50,13 +51,11 @@ public:
     void evaluate(size_t lobe_index, const Directions& directions,
                   std::span<Vec3> out) const override {
         const FilteredLobe& lobe = lobes_[lobe_index];
-        for (size_t i = 0; i < out.size(); ++i) {
-            const Vec3d& towards = directions.towards[i];
-            out[i] = interpolate(lobe.grid, towards);
-            if (lobe.narrow)
-                out[i] = Vec3(lobe.narrow->share() * Vec3d(out[i]) +
-                              lobe.narrow->rest(quadrature_, towards));
-        }
+        interpolate(lobe.grid, directions.towards, out);
+        if (!lobe.narrow) return;
+        for (size_t i = 0; i < out.size(); ++i)
+            out[i] = Vec3(lobe.narrow->share() * Vec3d(out[i]) +
+                          lobe.narrow->rest(quadrature_, directions.towards[i]));
     }
 
     LevelAccount account(size_t lobe_index) const override { return lobes_[lobe_index].account; }

@@ -1,12 +1,12 @@
 #include "splitsum/filter/synthesis.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "splitsum/base/parallel.h"
 #include "splitsum/filter/fft.h"
+#include "splitsum/filter/interpolation.h"
 #include "splitsum/filter/legendre_kernels.h"
 
 namespace splitsum {
@@ -93,43 +93,7 @@ void transform_ring_pair(const RingFourier& fourier, int bands, int ring, const 
     }
 }
 
-using Weights = std::array<float, 2 * SphereGrid::reach>;
-
-// Lagrange's polynomial through the points -2 .. 3, at t in [0, 1): the weight of each point.
-Weights lagrange_weights(double t) {
-    const double a = t + 2, b = t + 1, c = t, d = t - 1, e = t - 2, f = t - 3;
-    const double cd = c * d, be = b * e, af = a * f;
-    return {float(-b * cd * e * f / 120), float(a * cd * e * f / 24),  float(-af * be * d / 12),
-            float(af * be * c / 12),      float(-a * b * cd * f / 24), float(a * b * cd * e / 120)};
-}
-
 }  // namespace
-
-SphereGrid::SphereGrid(int rings, int columns)
-    : rings_(rings),
-      columns_(columns),
-      points_(4 * size_t(rings + 2 * reach) * size_t(columns + 2 * reach)) {}
-
-void SphereGrid::continue_edges() {
-    const auto copy_ring = [&](int to, int from) {  // over a pole: half a circle further on
-        for (int x = 0; x < columns_; ++x)
-            std::copy_n(point(from, (x + columns_ / 2) % columns_), 4, point(to, x));
-    };
-    for (int k = 0; k < reach; ++k) {
-        copy_ring(-1 - k, k);
-        copy_ring(rings_ + k, rings_ - 1 - k);
-    }
-    for (int k = -reach; k < rings_ + reach; ++k)
-        for (int x = 0; x < reach; ++x) {
-            std::copy_n(point(k, columns_ - 1 - x), 4, point(k, -1 - x));
-            std::copy_n(point(k, x), 4, point(k, columns_ + x));
-        }
-}
-
-double interpolation_error(double angle) {
-    // (5/2 3/2 1/2)² / 6!: the polynomial's nodes seen from the middle between two points.
-    return std::min(1.0, 4.9e-3 * std::pow(angle, 6));
-}
 
 GridSize grid_size(const Spectrum& spectrum, std::span<const double> factors, double accuracy) {
     const int bands = int(factors.size());
@@ -159,22 +123,6 @@ SphereGrid synthesize(const Spectrum& spectrum, std::span<const double> factors,
                   [&](int ring) { transform_ring_pair(fourier, bands, ring, fft, grid); });
     grid.continue_edges();
     return grid;
-}
-
-Vec3 interpolate(const SphereGrid& grid, const Vec3d& direction) {
-    const LatLong at = lat_long_towards(direction);
-    const double x = at.u * grid.columns(), y = at.v * grid.rings() - 0.5;
-    const int column = std::min(int(x), grid.columns() - 1), ring = int(std::floor(y));
-    const Weights across = lagrange_weights(x - column), down = lagrange_weights(y - ring);
-    float sum[4] = {};
-    for (int j = 0; j < 2 * SphereGrid::reach; ++j) {
-        const float* row = grid.point(ring + j - 2, column - 2);
-        float line[4] = {};
-        for (int i = 0; i < 2 * SphereGrid::reach; ++i)
-            for (int c = 0; c < 4; ++c) line[c] += across[size_t(i)] * row[4 * i + c];
-        for (int c = 0; c < 4; ++c) sum[c] += down[size_t(j)] * line[c];
-    }
-    return {sum[0], sum[1], sum[2]};
 }
 
 }  // namespace splitsum
