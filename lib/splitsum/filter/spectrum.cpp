@@ -2,25 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <numbers>
 #include <numeric>
 
 #include "splitsum/base/parallel.h"
 #include "splitsum/filter/legendre_kernels.h"
+#include "splitsum/filter/line_kernels.h"
 #include "splitsum/math/quadrature.h"
 
 namespace splitsum {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-using Complex = std::complex<double>;
 
-// ∫ e^(-i m phi) dphi over the first texel of a row.
-Complex first_texel(int m, int width) {
-    const double left = -pi, step = 2 * pi / width;
-    const double sinc = m == 0 ? 1 : std::sin(0.5 * m * step) / (0.5 * m * step);
-    return std::polar(step * sinc, -m * (left + 0.5 * step));
+// Rings that stand for the rows of a large panorama; nothing where it has too few to gain by it.
+std::optional<int> rings_for(int height, int bands) {
+    const int rings = std::max(3 * bands, 64);
+    return 2 * rings <= height ? std::optional(rings) : std::nullopt;
 }
 
 // One more Gauss point than it takes for the highest band to turn by 1.6 radians from one to the
@@ -47,6 +45,24 @@ LegendreRows gauss_rows(int height, int bands) {
     return rows;
 }
 
+// Rings at which the polar angle is integrated already.
+LegendreRows ring_points(int rings) {
+    const size_t pairs = size_t(rings + 1) / 2;
+    LegendreRows rows;
+    rows.rows = padded(pairs);
+    rows.points = 1;
+    rows.cosine.assign(rows.rows, 0);
+    rows.sine.assign(rows.rows, 0);
+    rows.weight.assign(rows.rows, 0);
+    for (size_t k = 0; k < pairs; ++k) {
+        const double theta = pi * (double(k) + 0.5) / rings;
+        rows.cosine[k] = std::cos(theta);
+        rows.sine[k] = std::sin(theta);
+        rows.weight[k] = 1;
+    }
+    return rows;
+}
+
 // The sum of a northern row and its southern mirror, and their difference, for one order.
 struct FoldedRows {
     std::vector<float> even, odd;  // [complex_rgb][padded pairs]
@@ -63,13 +79,6 @@ struct FoldedRows {
             }
     }
 };
-
-double square_of_row(const float* texels, int width, int floats_per_texel) {
-    double sum = 0;
-    for (int x = 0; x < width; ++x, texels += floats_per_texel)
-        for (int c = 0; c < 3; ++c) sum += double(texels[c]) * double(texels[c]);
-    return sum;
-}
 
 }  // namespace
 
@@ -98,70 +107,39 @@ void Spectrum::measure_power(double total_power) {
     }
 }
 
-// Two rows, packed as real and imaginary part of one complex signal; the second may be missing.
-struct SpectrumBuilder::RowPair {
-    int first_row;
-    const float* first;
-    const float* second;
-    int floats_per_texel;
-};
-
 SpectrumBuilder::SpectrumBuilder(int height, int bands)
     : height_(height),
       bands_(bands),
-      fft_(2 * height, Fft::Direction::forward),
-      fourier_(size_t(bands) * complex_rgb * size_t(height)),
+      lines_(rings_for(height, bands).value_or(height)),
+      fourier_(lines_, 2 * height, bands),
       row_power_(size_t(height)) {
-    for (int m = 0; m < bands; ++m) first_texel_.push_back(splitsum::first_texel(m, 2 * height));
+    if (lines_ < height) rings_.emplace(height, lines_);
 }
 
-void SpectrumBuilder::add_rows(int first_row, int row_count, const float* texels,
-                               int floats_per_texel) {
-    const int width = 2 * height_;
-    const auto row = [&](int i) {
-        return texels + size_t(i) * size_t(width) * size_t(floats_per_texel);
-    };
-    parallel_rows((row_count + 1) / 2, [&](int pair) {
-        const bool two = 2 * pair + 1 < row_count;
-        transform({first_row + 2 * pair, row(2 * pair), two ? row(2 * pair + 1) : nullptr,
-                   floats_per_texel});
-        for (int i = 2 * pair; i < 2 * pair + (two ? 2 : 1); ++i)
-            row_power_[size_t(first_row + i)] = square_of_row(row(i), width, floats_per_texel) *
-                                                solid_angle_of_row(first_row + i, height_);
+void SpectrumBuilder::add_rows(int row_count, const float* texels, int floats_per_texel) {
+    const size_t row_floats = 2 * size_t(height_) * size_t(floats_per_texel);
+    std::vector<const float*> rows;
+    for (int i = 0; i < row_count; ++i) rows.push_back(texels + size_t(i) * row_floats);
+    parallel_rows(row_count, [&](int i) {
+        const int row = next_row_ + i;
+        row_power_[size_t(row)] =
+            sum_of_squares(rows[size_t(i)], row_floats) * solid_angle_of_row(row, height_);
     });
-}
-
-void SpectrumBuilder::transform(const RowPair& rows) {
-    const size_t width = 2 * size_t(height_), height = size_t(height_);
-    std::vector<FftValue> packed(width), bins(width);
-    for (size_t channel = 0; channel < 3; ++channel) {
-        for (size_t x = 0; x < width; ++x) {
-            const size_t at = x * size_t(rows.floats_per_texel) + channel;
-            packed[x] = {rows.first[at], rows.second ? rows.second[at] : 0.0f};
-        }
-        fft_.transform(packed, bins);
-        for (int m = 0; m < bands_; ++m) {
-            const size_t bin = size_t(m) % width;
-            const FftValue z = bins[bin], w = bins[(width - bin) % width];
-            const Complex texel = first_texel_[size_t(m)];
-            const Complex first = texel * Complex(0.5 * (z.r + w.r), 0.5 * (z.i - w.i));
-            float* real = row_values(m) + channel * height + size_t(rows.first_row);
-            float* imaginary = real + 3 * height;
-            real[0] = float(first.real());
-            imaginary[0] = float(first.imag());
-            if (!rows.second) continue;
-            const Complex second = texel * Complex(0.5 * (z.i + w.i), 0.5 * (w.r - z.r));
-            real[1] = float(second.real());
-            imaginary[1] = float(second.imag());
-        }
-    }
+    if (rings_)
+        rings_->add_rows(row_count, texels, floats_per_texel,
+                         [&](int first_ring, std::span<const float* const> rings) {
+                             fourier_.add(first_ring, rings, floats_per_texel);
+                         });
+    else
+        fourier_.add(next_row_, rows, floats_per_texel);
+    next_row_ += row_count;
 }
 
 Spectrum SpectrumBuilder::finish() const {
-    const LegendreRows rows = gauss_rows(height_, bands_);
+    const LegendreRows rows = rings_ ? ring_points(lines_) : gauss_rows(height_, bands_);
     Spectrum spectrum(bands_);
     parallel_rows(bands_, [&](int m) {
-        const FoldedRows folded(row_values(m), height_, rows.rows);
+        const FoldedRows folded(fourier_.order(m), lines_, rows.rows);
         const size_t first = first_relevant_angle(m, bands_, {rows.sine.data(), rows.rows});
         integrate_order(LegendreOrder(m, bands_), bands_, rows, first, folded.even.data(),
                         folded.odd.data(), spectrum.order(m).data());
@@ -172,15 +150,14 @@ Spectrum SpectrumBuilder::finish() const {
 
 Spectrum forward_transform(const Environment& environment, int bands) {
     SpectrumBuilder builder(environment.height(), bands);
-    builder.add_rows(0, environment.height(), environment.texels().data(), 4);
+    builder.add_rows(environment.height(), environment.texels().data(), 4);
     return builder.finish();
 }
 
 double integral_of_square(const Environment& environment) {
     return ordered_sum(environment.height(), [&](int y) {
-        const float* row =
-            environment.texels().data() + 4 * size_t(y) * size_t(environment.width());
-        return square_of_row(row, environment.width(), 4) *
+        const size_t row_floats = 4 * size_t(environment.width());
+        return sum_of_squares(environment.texels().data() + size_t(y) * row_floats, row_floats) *
                solid_angle_of_row(y, environment.height());
     });
 }

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <complex>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "splitsum/filter/fft.h"
+#include "splitsum/filter/line_fourier.h"
+#include "splitsum/filter/rows_to_rings.h"
 #include "splitsum/sphere/environment.h"
 
 namespace splitsum {
@@ -40,39 +41,36 @@ private:
 };
 
 /// The transform of a piecewise-constant environment that arrives row by row, so that its texels
-/// need not be kept: exact over each texel's azimuths (an FFT along each row, then the closed form
-/// of a texel's Fourier transform), Gauss points over each row's polar angles. `bands` may exceed
-/// the number of rows: a piecewise-constant function has power there.
+/// need not be kept: exact over each texel's azimuths (LineFourier), Gauss points over each row's
+/// polar angles. `bands` may exceed the number of rows: a piecewise-constant function has power
+/// there. With six rows or more for each band, rows are first gathered on three rings a band
+/// (RowsToRings), and the polynomial between rings takes the place of the Gauss points.
 ///
 /// Error: about 1e-7 of the row's largest coefficients (the FFT is fp32, everything after it fp64),
-/// and 1e-5 at the highest band for the Gauss points, much less below it.
-/// Cost: rows * bands² / 4 steps of the Legendre recurrence for each Gauss point, in parallel over
-/// orders. Memory: 6 floats a row and band, then 24 bytes a coefficient.
+/// and 1e-5 at the highest band for the Gauss points, or 2e-3 at the highest and 6e-6 at half of it
+/// between rings: those are bands that the lobes have all but extinguished.
+/// Cost: lines * bands² / 4 steps of the Legendre recurrence for each Gauss point, in parallel over
+/// orders. Memory: 6 floats a line and band, then 24 bytes a coefficient.
 class SpectrumBuilder {
 public:
     SpectrumBuilder(int height, int bands);
 
-    /// Adds rows, in parallel; each row of the environment once, in any order. A texel is
-    /// `floats_per_texel` floats of which the first three are its radiance.
-    void add_rows(int first_row, int row_count, const float* texels, int floats_per_texel);
+    /// Adds the next rows from the top down, in parallel. A texel is `floats_per_texel` floats of
+    /// which the first three are its radiance and a fourth is 0; the same number in every call. The
+    /// bits do not depend on how many rows come at a time, as long as that is an even number.
+    void add_rows(int row_count, const float* texels, int floats_per_texel);
 
     /// The spectrum, when every row was added.
     Spectrum finish() const;
 
 private:
-    struct RowPair;
-    void transform(const RowPair& rows);
-    float* row_values(int m) { return fourier_.data() + size_t(m) * 6 * size_t(height_); }
-    const float* row_values(int m) const {
-        return fourier_.data() + size_t(m) * 6 * size_t(height_);
-    }
-
     int height_;
     int bands_;
-    Fft fft_;
-    std::vector<std::complex<double>> first_texel_;  // its Fourier transform, for each order
-    std::vector<float> fourier_;                     // [order][real rgb, imaginary rgb][row]
-    std::vector<double> row_power_;                  // ∫ L² over each row
+    int next_row_ = 0;
+    int lines_;                         // rings, or rows
+    std::optional<RowsToRings> rings_;  // where there are many rows
+    LineFourier fourier_;
+    std::vector<double> row_power_;  // ∫ L² over each row
 };
 
 /// SpectrumBuilder over the rows of an environment.

@@ -57,5 +57,46 @@ TEST(Spectrum, FirstCoefficientIsTheMean) {
     }
 }
 
+// Of two spectra, the largest difference of a coefficient of band l, relative to the environment.
+double difference(const Spectrum& a, const Spectrum& b, int l) {
+    double largest = 0;
+    for (int m = 0; m <= l; ++m)
+        for (size_t c = 0; c < 6; ++c) {
+            const size_t at = size_t(l - m) * 6 + c;
+            largest = std::max(largest, std::abs(a.order(m)[at] - b.order(m)[at]));
+        }
+    return largest / std::sqrt(a.total_power());
+}
+
+TEST(Spectrum, ManyRowsGatheredOnRingsGiveTheSameCoefficients) {
+    // 24 bands of 288 or 301 rows are gathered on 72 rings, 80 bands are not. A sun near each pole.
+    for (const int height : {288, 301}) {
+        Environment sky = tests::lopsided_sky(height, 1e5f);
+        sky.set_texel(7, 0, Vec3(1e5f, 2e5f, 3e5f));
+        sky.set_texel(height + 1, height - 2, Vec3(3e5f, 1e5f, 0));
+        const Spectrum gathered = forward_transform(sky, 24), direct = forward_transform(sky, 80);
+        for (int l = 0; l < 24; ++l) {
+            const double angle = l * std::numbers::pi / 72;
+            EXPECT_LT(difference(gathered, direct, l), 2e-7 + 1.1e-3 * std::pow(angle, 8))
+                << "band " << l << " of " << height << " rows";
+        }
+        EXPECT_EQ(gathered.total_power(), direct.total_power());
+    }
+}
+
+TEST(Spectrum, DoesNotDependOnHowTheRowsArrive) {
+    constexpr int height = 300, bands = 20;
+    const Environment sky = tests::lopsided_sky(height, 1e5f);
+    const Spectrum whole = forward_transform(sky, bands);
+    for (const int band : {1, 7, 64, 100}) {  // rings: any number does
+        SpectrumBuilder builder(height, bands);
+        for (int row = 0; row < height; row += band)
+            builder.add_rows(std::min(band, height - row),
+                             sky.texels().data() + size_t(row) * 4 * size_t(sky.width()), 4);
+        const Spectrum streamed = builder.finish();
+        for (int l = 0; l < bands; ++l) ASSERT_EQ(difference(streamed, whole, l), 0) << band;
+    }
+}
+
 }  // namespace
 }  // namespace splitsum
