@@ -12,9 +12,11 @@ namespace {
 class AutoFilter final : public PreparedFilter {
 public:
     AutoFilter(const FilterSource& source, std::span<const Lobe> lobes, const FilterPlan& plan)
-        : spectral_(prepare_spectral(source, lobes, plan)),
-          reference_(prepare_reference(source, lobes, plan)),
-          accuracy_(plan.accuracy) {}
+        : spectral_(prepare_spectral(source, lobes, plan)), accuracy_(plan.accuracy) {
+        bool all_hold = true;
+        for (size_t i = 0; i < lobes.size(); ++i) all_hold = all_hold && bound_holds(i);
+        if (!all_hold) reference_ = prepare_reference(source, lobes, plan);
+    }
 
     void evaluate(size_t lobe_index, const Directions& directions,
                   std::span<Vec3> out) const override {
@@ -41,7 +43,7 @@ private:
     }
 
     std::unique_ptr<PreparedFilter> spectral_;
-    std::unique_ptr<PreparedFilter> reference_;
+    std::unique_ptr<PreparedFilter> reference_;  // where a bound does not hold
     double accuracy_;
 };
 

@@ -52,38 +52,67 @@ Recurrence start_recurrence(const LegendreOrder& order, const LegendreRows& rows
     return state;
 }
 
+// A step of the recurrence from degree l - 1 to l; zeros past the last one.
+struct Step {
+    Doubles a, b;
+};
+
+HWY_INLINE Step step_to(const LegendreOrder& order, size_t k) {
+    const Lanes d;
+    const bool exists = k < order.a.size();
+    return {hn::Set(d, exists ? order.a[k] : 0), hn::Set(d, exists ? order.b[k] : 0)};
+}
+
+// The integrals over lanes of rows of one degree, times three channels, real and imaginary.
+struct Integrals {
+    Doubles v0, v1, v2, v3, v4, v5;
+
+    HWY_INLINE void add(const float* values, size_t stride, Doubles over_row) {
+        v0 = hn::MulAdd(load_floats(values), over_row, v0);
+        v1 = hn::MulAdd(load_floats(values + stride), over_row, v1);
+        v2 = hn::MulAdd(load_floats(values + 2 * stride), over_row, v2);
+        v3 = hn::MulAdd(load_floats(values + 3 * stride), over_row, v3);
+        v4 = hn::MulAdd(load_floats(values + 4 * stride), over_row, v4);
+        v5 = hn::MulAdd(load_floats(values + 5 * stride), over_row, v5);
+    }
+
+    HWY_INLINE void store(double* out) const {
+        const Lanes d;
+        const Doubles sums[complex_rgb] = {v0, v1, v2, v3, v4, v5};
+        for (size_t c = 0; c < complex_rgb; ++c) out[c] = hn::GetLane(hn::SumOfLanes(d, sums[c]));
+    }
+};
+
+// Two degrees at a time, so that the recurrence's state is read and written half as often.
 void IntegrateOrder(const LegendreOrder& order, int bands, const LegendreRows& rows,
                     size_t first_row, const float* even, const float* odd, double* out) {
     const Lanes d;
+    const Doubles zero = hn::Zero(d);
     Recurrence state = start_recurrence(order, rows);
-    for (int l = order.m; l < bands; ++l) {
-        const float* values = (l + order.m) % 2 == 0 ? even : odd;
-        const size_t k = size_t(l - order.m);
-        const Doubles next_a = hn::Set(d, l + 1 < bands ? order.a[k + 1] : 0);
-        const Doubles next_b = hn::Set(d, l + 1 < bands ? order.b[k + 1] : 0);
-        Doubles r0 = hn::Zero(d), g0 = r0, b0 = r0, r1 = r0, g1 = r0, b1 = r0;
+    const size_t degrees = size_t(bands - order.m);
+    for (size_t k = 0; k < degrees; k += 2) {
+        const Step first = step_to(order, k + 1), second = step_to(order, k + 2);
+        Integrals evens{zero, zero, zero, zero, zero, zero}, odds = evens;
         for (size_t row = first_row; row < rows.rows; row += hn::Lanes(d)) {
-            Doubles over_row = hn::Zero(d);
+            Doubles over_even = zero, over_odd = zero;
             for (size_t point = 0; point < rows.points; ++point) {
                 const size_t i = point * rows.rows + row;
+                const Doubles x = hn::LoadU(d, &rows.cosine[i]);
+                const Doubles weight = hn::LoadU(d, &rows.weight[i]);
                 const Doubles p = hn::LoadU(d, &state.current[i]);
-                over_row = hn::MulAdd(hn::LoadU(d, &rows.weight[i]), p, over_row);
-                const Doubles before = hn::Mul(next_b, hn::LoadU(d, &state.previous[i]));
-                const Doubles next = hn::MulSub(hn::LoadU(d, &rows.cosine[i]), p, before);
-                hn::StoreU(hn::Mul(next_a, next), d, &state.previous[i]);
+                const Doubles before = hn::Mul(first.b, hn::LoadU(d, &state.previous[i]));
+                const Doubles next = hn::Mul(first.a, hn::MulSub(x, p, before));
+                over_even = hn::MulAdd(weight, p, over_even);
+                over_odd = hn::MulAdd(weight, next, over_odd);
+                const Doubles after = hn::MulSub(x, next, hn::Mul(second.b, p));
+                hn::StoreU(next, d, &state.previous[i]);
+                hn::StoreU(hn::Mul(second.a, after), d, &state.current[i]);
             }
-            const float* f = values + row;
-            r0 = hn::MulAdd(load_floats(f), over_row, r0);
-            g0 = hn::MulAdd(load_floats(f + rows.rows), over_row, g0);
-            b0 = hn::MulAdd(load_floats(f + 2 * rows.rows), over_row, b0);
-            r1 = hn::MulAdd(load_floats(f + 3 * rows.rows), over_row, r1);
-            g1 = hn::MulAdd(load_floats(f + 4 * rows.rows), over_row, g1);
-            b1 = hn::MulAdd(load_floats(f + 5 * rows.rows), over_row, b1);
+            evens.add(even + row, rows.rows, over_even);
+            odds.add(odd + row, rows.rows, over_odd);
         }
-        std::swap(state.current, state.previous);
-        const Doubles sums[complex_rgb] = {r0, g0, b0, r1, g1, b1};
-        for (size_t c = 0; c < complex_rgb; ++c)
-            out[k * complex_rgb + c] = hn::GetLane(hn::SumOfLanes(d, sums[c]));
+        evens.store(out + k * complex_rgb);
+        if (k + 1 < degrees) odds.store(out + (k + 1) * complex_rgb);
     }
 }
 

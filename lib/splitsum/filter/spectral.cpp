@@ -46,7 +46,10 @@ struct FilteredLobe {
 class SpectralFilter final : public PreparedFilter {
 public:
     SpectralFilter(const Environment& environment, std::vector<FilteredLobe> lobes)
-        : quadrature_(environment, near_texels), lobes_(std::move(lobes)) {}
+        : lobes_(std::move(lobes)) {
+        const auto is_narrow = [](const FilteredLobe& lobe) { return lobe.narrow.has_value(); };
+        if (std::ranges::any_of(lobes_, is_narrow)) quadrature_.emplace(environment, near_texels);
+    }
 
     void evaluate(size_t lobe_index, const Directions& directions,
                   std::span<Vec3> out) const override {
@@ -55,14 +58,14 @@ public:
         if (!lobe.narrow) return;
         for (size_t i = 0; i < out.size(); ++i)
             out[i] = Vec3(lobe.narrow->share() * Vec3d(out[i]) +
-                          lobe.narrow->rest(quadrature_, directions.towards[i]));
+                          lobe.narrow->rest(*quadrature_, directions.towards[i]));
     }
 
     LevelAccount account(size_t lobe_index) const override { return lobes_[lobe_index].account; }
 
 private:
-    TexelQuadrature quadrature_;
     std::vector<FilteredLobe> lobes_;
+    std::optional<TexelQuadrature> quadrature_;  // where a lobe is narrow
 };
 
 // The size below which a band factor cannot matter to this light.
