@@ -42,8 +42,9 @@ std::optional<int> bands_for_point_light(const Lobe& lobe, double accuracy, int 
 
 double negligible_factor(double total_power, double mean_power, double accuracy) {
     if (total_power == 0) return 1;  // black: nothing matters
-    // Only light with negative parts has power and no mean; then the factor is a guess.
-    return accuracy * (mean_power > 0 ? std::sqrt(mean_power / total_power) : 1e-3);
+    // Factors are known to 1e-12; only light with negative parts has hardly any mean.
+    constexpr double smallest_known = 1e-11;
+    return std::max(smallest_known, accuracy * std::sqrt(mean_power / total_power));
 }
 
 BandLimit band_limit(const Spectrum& spectrum, std::span<const double> factors, double accuracy) {
