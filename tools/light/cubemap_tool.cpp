@@ -36,7 +36,7 @@ CubemapOutputOptions::CubemapOutputOptions(CLI::App& app, const std::string& wha
 }
 
 int CubemapOutputOptions::probes(const Light& light) const {
-    if (probes_given()) return probes_;
+    if (probes_ >= 0) return probes_;
     return light.spectrum ? 0 : affordable_probes(light.environment);
 }
 

@@ -46,7 +46,8 @@ public:
 
     /// As asked for, else affordable_probes; none where the texels were not kept.
     int probes(const Light& light) const;
-    bool probes_given() const { return probes_ >= 0; }
+    /// Whether texels were asked to be measured: the panorama has to be kept then.
+    bool wants_probes() const { return probes_ > 0; }
 
 private:
     std::filesystem::path path_;

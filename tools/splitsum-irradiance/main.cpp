@@ -73,7 +73,7 @@ int main(int argc, char** argv) {
         if (!possible) return possible;
         const LevelsPlan plan{std::nullopt, irradiance.plan, filter.plan, orientation.plan};
         const auto light =
-            load_light(input.panorama(), input.plan(), plan, output.probes_given(), progress);
+            load_light(input.panorama(), input.plan(), plan, output.wants_probes(), progress);
         if (!light) return light.error();
         if (series) return write_series(*light, plan, output, progress);
         return write_cubemap(*light, plan, encoding, output, progress);

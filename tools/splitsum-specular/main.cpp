@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
         if (!possible) return possible;
         const LevelsPlan levels_plan{*plan, std::nullopt, filter.plan, orientation.plan};
         const auto light = load_light(input.panorama(), input.plan(), levels_plan,
-                                      output.probes_given(), progress);
+                                      output.wants_probes(), progress);
         if (!light) return light.error();
 
         const auto levels = filter_levels(light->filter_source(), levels_plan, progress);

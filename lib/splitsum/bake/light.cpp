@@ -34,9 +34,9 @@ struct Builders {
     Builders(int height, int bands, const LevelsPlan& plan)
         : spectrum(height, bands), environment(height, averaged_rows(height, plan)) {}
 
-    void add(int first_row, const Image& band) {
-        spectrum.add_rows(first_row, band.height, band.rgb.data(), 3);
-        environment.add_rows(band.height, band.rgb.data(), 3);
+    void add(int row_count, const float* rgb) {
+        spectrum.add_rows(row_count, rgb, 3);
+        environment.add_rows(row_count, rgb, 3);
     }
 };
 
@@ -44,7 +44,10 @@ Result<Light> stream(const std::filesystem::path& path, const PanoramaOptions& o
                      const LevelsPlan& plan, int height, int bands, Progress& progress) {
     Builders builders(height, bands, plan);
     const auto panorama = stream_panorama(
-        path, options, [&](int first_row, const Image& band) { builders.add(first_row, band); },
+        path, options,
+        [&](int, int row_count, std::span<const float> rgb) {
+            builders.add(row_count, rgb.data());
+        },
         [&] { builders = Builders(height, bands, plan); }, progress);
     if (!panorama) return panorama.error();
     return Light{std::move(builders.environment).finish(), builders.spectrum.finish(),

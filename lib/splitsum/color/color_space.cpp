@@ -54,10 +54,13 @@ bool ColorConverter::changes_nothing() const { return !state_->processor; }
 
 void ColorConverter::apply(Image& image) const {
     if (changes_nothing()) return;
-    parallel_rows(image.height, [&](int y) {
-        ocio::PackedImageDesc row(image.row(y).data(), image.width, 1, 3);
-        state_->processor->apply(row);
-    });
+    parallel_rows(image.height, [&](int y) { apply(image.row(y)); });
+}
+
+void ColorConverter::apply(std::span<float> rgb) const {
+    if (changes_nothing()) return;
+    ocio::PackedImageDesc row(rgb.data(), static_cast<long>(rgb.size() / 3), 1, 3);
+    state_->processor->apply(row);
 }
 
 struct ColorConfig::State {

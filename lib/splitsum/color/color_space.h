@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ public:
     /// Converts in place. Values outside the target's gamut come out negative: nothing is clamped.
     /// Where the two spaces are the same, every bit stays.
     void apply(Image& image) const;
+
+    /// The same for a row of pixels, three interleaved floats each, on the calling thread.
+    void apply(std::span<float> rgb) const;
 
     bool changes_nothing() const;
 

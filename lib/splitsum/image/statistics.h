@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include "splitsum/image/image.h"
@@ -27,6 +28,10 @@ Census operator+(const Census& above, const Census& below);
 
 /// Counts what is not a finite radiance >= 0. Minus zero is zero.
 Census take_census(const Image& image);
+
+/// True where every value is a finite radiance >= 0, as in an image whose census is clean. Minus
+/// zero is zero. Cost: as fast as memory is read.
+bool all_are_radiance(std::span<const float> values);
 
 /// "3 NaN (first at x 17, y 4), 12 negative (first at x 0, y 0)", or "clean".
 std::string describe(const Census& census);

@@ -10,6 +10,8 @@
 #include "splitsum/base/text.h"
 #include "splitsum/imageio/channel_choice_detail.h"
 #include "splitsum/imageio/file_check_detail.h"
+#include "splitsum/imageio/half_detail.h"
+#include "splitsum/imageio/row_bands_detail.h"
 
 namespace splitsum {
 namespace {
@@ -53,58 +55,12 @@ auto guarded(const fs::path& path, const Work& work) -> decltype(work()) {
     }
 }
 
-/// Rows of the display window that are decoded in one go.
-struct Band {
-    int first_row;
-    int row_count;
-    bool has_data;
+/// Upright rows, or why they could not be read.
+struct DecodedBand {
+    Band band{};
+    std::vector<float> rgb;
+    Status status = ok;
 };
-
-int rows_per_band(const OIIO::ImageSpec& spec) {
-    if (spec.tile_width > 0) return spec.tile_height;
-    // DWAB packs 256 rows together; less would decode each packet several times.
-    const std::string compression = spec.get_string_attribute("compression");
-    return compression.starts_with("dwab") ? 256 : 64;
-}
-
-void append_bands(std::vector<Band>& bands, int begin, int end, int phase, int step, bool data) {
-    while (begin < end) {
-        const int next = std::min(end, begin + step - (begin - phase) % step);
-        bands.push_back({begin, next - begin, data});
-        begin = next;
-    }
-}
-
-/// The display window's rows in file order: black, those of the data window in steps that fall on
-/// the file's own rows of tiles, black.
-std::vector<Band> bands_of(const OIIO::ImageSpec& spec) {
-    const int height = spec.full_height;
-    const int data_begin = spec.y - spec.full_y;
-    const int begin = std::clamp(data_begin, 0, height);
-    const int end = std::clamp(data_begin + spec.height, begin, height);
-    const int step = rows_per_band(spec);
-    std::vector<Band> bands;
-    append_bands(bands, 0, begin, 0, 64, false);
-    append_bands(bands, begin, end, data_begin, step, true);
-    append_bands(bands, end, height, end, 64, false);
-    return bands;
-}
-
-/// The rows of the file that hold a band: whole tiles where the file has tiles, whose first row may
-/// lie above the display window.
-struct FileRows {
-    int begin;
-    int end;
-};
-
-FileRows file_rows_of(const OIIO::ImageSpec& spec, const Band& band) {
-    FileRows rows{band.first_row + spec.full_y, band.first_row + band.row_count + spec.full_y};
-    if (spec.tile_width == 0) return rows;
-    rows.begin -= (rows.begin - spec.y) % spec.tile_height;
-    const int tiles = (rows.end - spec.y + spec.tile_height - 1) / spec.tile_height;
-    rows.end = std::min(spec.y + tiles * spec.tile_height, spec.y + spec.height);
-    return rows;
-}
 
 /// Pixels of the data window outside the display window, and the other way round.
 std::vector<std::string> window_notes(const OIIO::ImageSpec& spec) {
@@ -168,14 +124,24 @@ struct ImageReader::State {
     int part = 0;
     ChannelChoice channels;
     ImageFileInfo info;
-    bool flip_x = false;  ///< rows run from right to left
-    bool flip_y = false;  ///< rows run from the bottom up
+    bool flip_x = false;             ///< rows run from right to left
+    bool flip_y = false;             ///< rows run from the bottom up
+    std::vector<uint16_t> halves;    ///< of one band
+    std::vector<float> file_values;  ///< of one band
 
     Status open_file();
     Status choose_part(const std::string& layer);
     Status apply_orientation();
     Status describe();
+    std::vector<Band> upright_bands() const;
+    Status read_upright(const Band& band, std::vector<float>& rgb);
+    int upright_row(const Band& band) const;
     Status read_band(const Band& band, std::vector<float>& rgb);
+    bool is_stored_as_wanted(const Band& band) const;
+    bool is_stored_as(OIIO::TypeDesc type) const;
+    Status read_stored(const Band& band, void* values);
+    Status read_as_stored(const Band& band, std::vector<float>& rgb);
+    Status failed_read();
     Status read_channels(int begin, int end, const Band& band, std::vector<float>& values);
     void place(const std::vector<float>& values, int stride, const std::array<int, 3>& from,
                std::array<bool, 3> wanted, const Band& band, std::vector<float>& rgb) const;
@@ -260,7 +226,10 @@ Status ImageReader::State::read_channels(int begin, int end, const Band& band,
                                spec.z + 1, begin, end, OIIO::TypeFloat, values.data())
             : file->read_scanlines(part, 0, y_begin, y_end, spec.z, begin, end, OIIO::TypeFloat,
                                    values.data());
-    if (read) return ok;
+    return read ? ok : failed_read();
+}
+
+Status ImageReader::State::failed_read() {
     const std::string reason = plain_reason(file->geterror(), path);
     return unreadable(path, reason.empty() ? "the file ends before its pixels do" : reason);
 }
@@ -282,24 +251,61 @@ void ImageReader::State::place(const std::vector<float>& values, int stride,
     }
 }
 
+// Red, green, blue side by side and whole rows of the display window: most files.
+bool ImageReader::State::is_stored_as_wanted(const Band& band) const {
+    const auto [red, green, blue] = channels.rgb;
+    const auto [begin, end] = file_rows_of(spec, band);
+    return band.has_data && green == red + 1 && blue == red + 2 && spec.x == spec.full_x &&
+           spec.width == spec.full_width && end - begin == band.row_count;
+}
+
+bool ImageReader::State::is_stored_as(OIIO::TypeDesc type) const {
+    return spec.tile_width == 0 && spec.channelformats.empty() && spec.format == type;
+}
+
+Status ImageReader::State::read_stored(const Band& band, void* values) {
+    const auto [begin, end] = file_rows_of(spec, band);
+    const int first = channels.rgb[0];
+    return file->read_native_scanlines(part, 0, begin, end, spec.z, first, first + 3, values)
+               ? ok
+               : failed_read();
+}
+
+// OpenImageIO takes longer to copy floats and to widen halves than to read them.
+Status ImageReader::State::read_as_stored(const Band& band, std::vector<float>& rgb) {
+    const size_t row_size = 3 * static_cast<size_t>(info.width);
+    rgb.resize(row_size * static_cast<size_t>(band.row_count));
+    if (is_stored_as(OIIO::TypeFloat)) return read_stored(band, rgb.data());
+    if (!is_stored_as(OIIO::TypeHalf))
+        return read_channels(channels.rgb[0], channels.rgb[0] + 3, band, rgb);
+    halves.resize(rgb.size());
+    if (Status read = read_stored(band, halves.data()); !read) return read;
+    parallel_rows(band.row_count, [&](int row) {
+        const size_t at = static_cast<size_t>(row) * row_size;
+        widen_halves(halves.data() + at, row_size, rgb.data() + at);
+    });
+    return ok;
+}
+
 Status ImageReader::State::read_band(const Band& band, std::vector<float>& rgb) {
+    if (is_stored_as_wanted(band)) return read_as_stored(band, rgb);
+    const auto [first, last] = std::ranges::minmax(channels.rgb);
     rgb.assign(3 * static_cast<size_t>(info.width) * static_cast<size_t>(band.row_count), 0.0f);
     if (!band.has_data) return ok;
-    std::vector<float> values;
-    const auto [first, last] = std::ranges::minmax(channels.rgb);
     // One read where the colours are near each other, three where a file has hundreds of channels.
     constexpr int widest_read = 16;
     if (last - first < widest_read) {
-        if (Status read = read_channels(first, last + 1, band, values); !read) return read;
+        if (Status read = read_channels(first, last + 1, band, file_values); !read) return read;
         const std::array from = {channels.rgb[0] - first, channels.rgb[1] - first,
                                  channels.rgb[2] - first};
-        place(values, last + 1 - first, from, {true, true, true}, band, rgb);
+        place(file_values, last + 1 - first, from, {true, true, true}, band, rgb);
         return ok;
     }
     for (size_t c = 0; c < 3; ++c) {
         const int channel = channels.rgb[c];
-        if (Status read = read_channels(channel, channel + 1, band, values); !read) return read;
-        place(values, 1, {0, 0, 0}, {c == 0, c == 1, c == 2}, band, rgb);
+        if (Status read = read_channels(channel, channel + 1, band, file_values); !read)
+            return read;
+        place(file_values, 1, {0, 0, 0}, {c == 0, c == 1, c == 2}, band, rgb);
     }
     return ok;
 }
@@ -313,6 +319,25 @@ void ImageReader::State::flip(const Band& band, std::vector<float>& rgb) const {
         std::reverse(row(y), row(y + 1));  // pixels and channels
         for (auto pixel = row(y); pixel != row(y + 1); pixel += 3) std::swap(pixel[0], pixel[2]);
     }
+}
+
+// From the top of the upright image down.
+std::vector<Band> ImageReader::State::upright_bands() const {
+    std::vector<Band> bands = bands_of(spec);
+    if (flip_y) std::ranges::reverse(bands);
+    return bands;
+}
+
+Status ImageReader::State::read_upright(const Band& band, std::vector<float>& rgb) {
+    return guarded(path, [&]() -> Status {
+        if (Status read = read_band(band, rgb); !read) return read;
+        flip(band, rgb);
+        return ok;
+    });
+}
+
+int ImageReader::State::upright_row(const Band& band) const {
+    return flip_y ? info.height - band.first_row - band.row_count : band.first_row;
 }
 
 ImageReader::ImageReader(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -336,18 +361,26 @@ const ImageFileInfo& ImageReader::info() const { return state_->info; }
 
 Status ImageReader::read_rows(const RowSink& sink) {
     State& state = *state_;
+    const std::vector<Band> bands = state.upright_bands();
+    std::array<DecodedBand, 3> buffers;
+    size_t next = 0;
+    Status status = ok;
+    const auto decode = [&](DecodedBand& decoded) {
+        if (next == bands.size()) return false;
+        decoded.band = bands[next++];
+        decoded.status = state.read_upright(decoded.band, decoded.rgb);
+        if (!decoded.status) next = bands.size();
+        return true;
+    };
+    const auto hand_over = [&](DecodedBand& decoded) {
+        status = decoded.status;
+        if (status)
+            status = sink(state.upright_row(decoded.band), decoded.band.row_count, decoded.rgb);
+        return static_cast<bool>(status);
+    };
     return guarded(state.path, [&]() -> Status {
-        std::vector<Band> bands = bands_of(state.spec);
-        if (state.flip_y) std::ranges::reverse(bands);
-        std::vector<float> rgb;
-        for (const Band& band : bands) {
-            if (Status read = state.read_band(band, rgb); !read) return read;
-            state.flip(band, rgb);
-            const int first_row =
-                state.flip_y ? state.info.height - band.first_row - band.row_count : band.first_row;
-            if (Status taken = sink(first_row, band.row_count, rgb); !taken) return taken;
-        }
-        return ok;
+        make_and_take(std::span<DecodedBand>(buffers), decode, hand_over);
+        return status;
     });
 }
 

@@ -26,8 +26,9 @@ struct ImageFileInfo {
     std::vector<std::string> notes;  ///< what was ignored or filled in, a sentence each
 };
 
-/// Takes rows from the top down: `rgb` holds `row_count` whole rows of the display window.
-using RowSink = std::function<Status(int first_row, int row_count, std::span<const float> rgb)>;
+/// Takes rows from the top down: `rgb` holds `row_count` whole rows of the display window, which are
+/// the sink's to change until it returns.
+using RowSink = std::function<Status(int first_row, int row_count, std::span<float> rgb)>;
 
 /// The widest and highest image that is read: far above any panorama, far below an overflow.
 inline constexpr int largest_image_side = 65536;
@@ -53,9 +54,11 @@ public:
 
     const ImageFileInfo& info() const;
 
-    /// Decodes the image from the top down. Memory: one band of rows (at most 256 or one row of
-    /// tiles). Fails with unreadable_input where the file is cut short or corrupt, or with what the
-    /// sink returned.
+    /// Decodes the image from the top down, the next rows while the sink works on the last. The
+    /// sink is called for one band of rows at a time, on any thread. Memory: three bands of 64 rows
+    /// (fewer where rows are very long; 256 for DWAB; one row of tiles). Fails with
+    /// unreadable_input where the file is cut short or corrupt, or with what the sink returned:
+    /// with whichever comes first from the top.
     Status read_rows(const RowSink& sink);
 
 private:

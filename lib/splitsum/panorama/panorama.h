@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -60,11 +61,12 @@ struct PanoramaSize {
 Result<PanoramaSize> panorama_size(const std::filesystem::path& path,
                                    const PanoramaOptions& options);
 
-/// Takes the rows of a panorama band by band, from the top down.
-using PanoramaRows = std::function<void(int first_row, const Image& band)>;
+/// Takes the rows of a panorama band by band, from the top down: `rgb` holds `row_count` rows.
+using PanoramaRows = std::function<void(int first_row, int row_count, std::span<const float> rgb)>;
 
 /// The same as read_panorama, without keeping the pixels: rows go to `rows` as they are read, and
-/// `pixels` of the result stays empty. Memory: a band of rows.
+/// `pixels` of the result stays empty. The next rows are decoded while `rows` works, which is called
+/// for one band at a time, on any thread. Memory: a few bands of rows (ImageReader::read_rows).
 ///
 /// What cannot be decided band by band is not: a file with defects or colours out of gamut is left
 /// to read_panorama (then `rows` gets all of it at once), after a call of `restart` that takes back

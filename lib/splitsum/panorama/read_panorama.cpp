@@ -24,27 +24,6 @@ Status check_shape(const fs::path& path, const ImageFileInfo& file) {
                               "; a lat-long panorama is twice as wide as high"));
 }
 
-// Memory grows with the rows that arrive: a header that lies about the size costs nothing.
-Result<Image> collect_rows(ImageReader& reader, Progress& progress) {
-    Image image;
-    image.width = reader.info().width;
-    image.height = reader.info().height;
-    progress.begin("read", image.height);
-    const Status read =
-        reader.read_rows([&](int, int row_count, std::span<const float> rgb) -> Status {
-            if (progress.cancelled())
-                return Error{ErrorKind::interrupted, "stopped while reading the panorama"};
-            if (image.rgb.empty())
-                image.rgb.reserve(3 * static_cast<size_t>(image.width) *
-                                  static_cast<size_t>(image.height));
-            image.rgb.insert(image.rgb.end(), rgb.begin(), rgb.end());
-            progress.advance(row_count);
-            return ok;
-        });
-    if (!read) return read.error();
-    return image;
-}
-
 Status take_out_defects(const fs::path& path, bool may_repair, Panorama& panorama) {
     panorama.found = take_census(panorama.pixels);
     if (panorama.found.clean()) return ok;
@@ -81,23 +60,20 @@ Status convert_colors(const fs::path& path, const ColorConverter& converter, boo
     return ok;
 }
 
+// In fp64: 2^stops may exceed the floats where the product does not.
+void expose(std::span<float> row, double stops) {
+    const double factor = std::exp2(stops);
+    for (float& value : row) value = static_cast<float>(value * factor);
+}
+
 Status expose(const fs::path& path, double stops, Panorama& panorama) {
     panorama.exposure_stops = stops;
     if (stops == 0) return ok;
-    const double factor = std::exp2(stops);
-    parallel_rows(panorama.pixels.height, [&](int y) {
-        for (float& value : panorama.pixels.row(y)) value = static_cast<float>(value * factor);
-    });
+    parallel_rows(panorama.pixels.height, [&](int y) { expose(panorama.pixels.row(y), stops); });
     const Census census = take_census(panorama.pixels);
     if (census.clean()) return ok;
     return unusable(path, cat("leaves the range of floats with an exposure of ", stops,
                               " stops: ", describe(census)));
-}
-
-Result<std::string> source_hash_of(const fs::path& path) {
-    const auto hash = hash_of_file(path);
-    if (!hash) return hash.error();
-    return "xxh3-128:" + *hash;
 }
 
 // In fp64, a float times 2^stops is finite for these; beyond, every panorama is black or infinite.
@@ -123,16 +99,51 @@ Result<OpenPanorama> open_panorama(const fs::path& path, const PanoramaOptions& 
     if (Status shape = check_shape(path, reader->info()); !shape) return shape.error();
     auto color = choose_color_space(reader->info(), options);
     if (!color) return color.error();
-    const auto hash = source_hash_of(path);
-    if (!hash) return hash.error();
 
     Panorama facts;
     facts.source = path.filename().string();
-    facts.source_hash = *hash;
     facts.color_space = color->name;
     facts.notes = reader->info().notes;
     facts.notes.insert(facts.notes.end(), color->notes.begin(), color->notes.end());
     return OpenPanorama{std::move(*reader), std::move(*color), std::move(facts)};
+}
+
+// Reads the rows and, beside that, the bytes for the hash.
+Status read_rows(const fs::path& path, OpenPanorama& file, const RowSink& sink,
+                 Progress& progress) {
+    progress.begin("read", file.reader.info().height);
+    const auto unless_cancelled = [&](int first_row, int row_count,
+                                      std::span<float> rgb) -> Status {
+        if (progress.cancelled())
+            return Error{ErrorKind::interrupted, "stopped while reading the panorama"};
+        const Status taken = sink(first_row, row_count, rgb);
+        progress.advance(row_count);
+        return taken;
+    };
+    Status read = ok;
+    Result<std::string> hash = std::string();
+    run_both([&] { read = file.reader.read_rows(unless_cancelled); },
+             [&] { hash = hash_of_file(path); });
+    if (!read) return read;
+    if (!hash) return hash.error();
+    file.facts.source_hash = "xxh3-128:" + *hash;
+    return ok;
+}
+
+// Memory grows with the rows that arrive: a header that lies about the size costs nothing.
+Result<Image> collect_rows(const fs::path& path, OpenPanorama& file, Progress& progress) {
+    Image image;
+    image.width = file.reader.info().width;
+    image.height = file.reader.info().height;
+    const auto append = [&](int, int, std::span<float> rgb) -> Status {
+        if (image.rgb.empty())
+            image.rgb.reserve(3 * static_cast<size_t>(image.width) *
+                              static_cast<size_t>(image.height));
+        image.rgb.insert(image.rgb.end(), rgb.begin(), rgb.end());
+        return ok;
+    };
+    if (Status read = read_rows(path, file, append, progress); !read) return read.error();
+    return image;
 }
 
 // Turns pixels as they are in the file into light.
@@ -144,13 +155,31 @@ Status develop(const fs::path& path, const ColorConverter& converter,
     return status;
 }
 
+// The same for one row; false where it holds or becomes what is no light.
+bool develop_row(std::span<float> row, const ColorConverter& converter, double stops) {
+    if (!all_are_radiance(row)) return false;
+    converter.apply(row);
+    if (stops != 0) expose(row, stops);
+    return (converter.changes_nothing() && stops == 0) || all_are_radiance(row);
+}
+
+bool develop_rows(std::span<float> rgb, int row_count, const ColorConverter& converter,
+                  double stops) {
+    const size_t row_size = rgb.size() / static_cast<size_t>(row_count);
+    const auto failures = ordered_sum(row_count, [&](int y) {
+        const auto row = rgb.subspan(static_cast<size_t>(y) * row_size, row_size);
+        return develop_row(row, converter, stops) ? 0 : 1;
+    });
+    return failures == 0;
+}
+
 }  // namespace
 
 Result<Panorama> read_panorama(const fs::path& path, const PanoramaOptions& options,
                                Progress& progress) {
     auto file = open_panorama(path, options);
     if (!file) return file.error();
-    auto pixels = collect_rows(file->reader, progress);
+    auto pixels = collect_rows(path, *file, progress);
     if (!pixels) return pixels.error();
     Panorama panorama = std::move(file->facts);
     panorama.pixels = std::move(*pixels);
@@ -171,28 +200,19 @@ Result<Panorama> stream_panorama(const fs::path& path, const PanoramaOptions& op
                                  Progress& progress) {
     auto file = open_panorama(path, options);
     if (!file) return file.error();
-    PanoramaOptions as_it_is = options;
-    as_it_is.repair = false;
     bool defective = false;
-    progress.begin("read", file->reader.info().height);
-    const Status read = file->reader.read_rows(
-        [&](int first_row, int row_count, std::span<const float> rgb) -> Status {
-            if (progress.cancelled())
-                return Error{ErrorKind::interrupted, "stopped while reading the panorama"};
-            Panorama band;
-            band.color_space = file->facts.color_space;
-            band.pixels = Image(file->reader.info().width, row_count);
-            std::ranges::copy(rgb, band.pixels.rgb.begin());
-            const Status light = develop(path, file->color.converter, as_it_is, band);
-            defective = !light;
-            if (light) rows(first_row, band.pixels);
-            progress.advance(row_count);
-            return light;
-        });
+    const auto develop_and_pass_on = [&](int first_row, int row_count,
+                                         std::span<float> rgb) -> Status {
+        defective = !develop_rows(rgb, row_count, file->color.converter, options.exposure_stops);
+        if (defective) return unusable(path, "holds pixels that are no light");
+        rows(first_row, row_count, rgb);
+        return ok;
+    };
+    const Status read = read_rows(path, *file, develop_and_pass_on, progress);
     if (defective) {
         restart();
         auto panorama = read_panorama(path, options, progress);
-        if (panorama) rows(0, panorama->pixels);
+        if (panorama) rows(0, panorama->pixels.height, panorama->pixels.rgb);
         return panorama;
     }
     if (!read) return read.error();

@@ -52,6 +52,23 @@ TEST(Census, CountsAPixelOnceForItsWorstChannel) {
     EXPECT_FALSE(census.clean());
 }
 
+// The quick answer and the census must agree, wherever the value is.
+TEST(Census, AgreesWithTheAnswerForARow) {
+    constexpr float largest = std::numeric_limits<float>::max();
+    constexpr float tiny = std::numeric_limits<float>::denorm_min();
+    for (const float odd :
+         {0.0f, -0.0f, tiny, -tiny, largest, -largest, infinity, -infinity, nan, -nan, 1.0f, -1.0f})
+        for (int width = 1; width < 23; ++width)
+            for (size_t at = 0; at < 3 * static_cast<size_t>(width); ++at) {
+                Image image = lopsided(width, 1);
+                image.rgb[at] = odd;
+                const bool radiance = std::isfinite(odd) && !(odd < 0);
+                ASSERT_EQ(all_are_radiance(image.rgb), radiance) << odd << " at " << at;
+                ASSERT_EQ(take_census(image).clean(), radiance) << odd << " at " << at;
+            }
+    EXPECT_TRUE(all_are_radiance({}));
+}
+
 TEST(Census, FindsNothingInACleanImage) {
     const Census census = take_census(lopsided(6, 3));
     EXPECT_TRUE(census.clean());
