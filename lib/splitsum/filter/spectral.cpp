@@ -22,9 +22,9 @@ constexpr int most_bands = 2000;
 // lobe's rest. Far below 1 together, because these errors lie around bright lights while a figure
 // taken at a few texels may see the dark beside them: with 0.3, 64 texels of a studio of soft boxes
 // showed 9e-4 where 1000 showed 2.7e-4; with 0.1 both stay under 4e-4.
-constexpr double truncation_share = 0.1;
+constexpr double truncation_share = 0.05;
 constexpr double largest_truncation_share = 0.5;  // where the bands were chosen before the light
-constexpr double interpolation_share = 0.1;
+constexpr double interpolation_share = 0.05;
 constexpr double cap_share = 0.1;
 
 // Of the texels around a narrow lobe's peak that are integrated with care.
