@@ -36,8 +36,7 @@ CubemapOutputOptions::CubemapOutputOptions(CLI::App& app, const std::string& wha
 }
 
 int CubemapOutputOptions::probes(const Light& light) const {
-    if (probes_ >= 0) return probes_;
-    return light.spectrum ? 0 : affordable_probes(light.environment);
+    return probes_ >= 0 ? probes_ : affordable_probes(light);
 }
 
 Status CubemapOutputOptions::check(const CubeShape& shape) const {
@@ -73,8 +72,6 @@ void CubemapOutputOptions::print(const std::vector<LevelCheck>& checks,
         nlohmann::ordered_json json = {
             {"file", path_.string()}, {"notes", light.notes}, {"saturated", saturated}};
         json["measured"] = nlohmann::ordered_json::array();
-        for (size_t i = 0; checks.empty() && i < accounts.size(); ++i)
-            json["made"].push_back(account_json(accounts[i]));
         for (size_t i = 0; i < checks.size(); ++i) {
             json["measured"].push_back(check_json(checks[i]));
             if (i < accounts.size()) json["measured"].back().update(account_json(accounts[i]));
@@ -86,9 +83,7 @@ void CubemapOutputOptions::print(const std::vector<LevelCheck>& checks,
     if (saturated > 0)
         std::cout << "note: " << saturated << " values were above the format's largest and are "
                   << "stored as that\n";
-    for (size_t i = 0; checks.empty() && i < accounts.size(); ++i)
-        std::cout << account_line(cat("level ", i), accounts[i]);
-    if (!checks.empty()) std::cout << figures_heading(!accounts.empty());
+    std::cout << figures_heading(!accounts.empty());
     for (size_t i = 0; i < checks.size(); ++i)
         std::cout << figures_line(cat("level ", i), checks[i],
                                   i < accounts.size() ? &accounts[i] : nullptr);
@@ -99,7 +94,6 @@ Result<std::vector<LevelCheck>> check_cubemap_asset(const std::vector<Cubemap>& 
                                                     const AssetFacts& facts,
                                                     const Environment& environment, int probes,
                                                     Progress& progress) {
-    if (probes == 0) return std::vector<LevelCheck>{};
     const CheckedAgainst truth{environment, panorama_from_cube(facts.orientation), probes};
     progress.begin("measuring", probes * int(levels.size()));
     if (facts.kind == AssetFacts::Kind::specular)

@@ -60,7 +60,9 @@ Result<BakedTable> write_table(const BatchOptions& options, const fs::path& fold
     return BakedTable{path, asset->max_abs};
 }
 
-double worst_rel_rms(const BakeReport& report) {
+// Of the levels that were measured; nothing if none was.
+std::optional<double> worst_rel_rms(const BakeReport& report) {
+    if (report.probes == 0) return std::nullopt;
     double worst = report.irradiance.figures.rel_rms;
     for (const LevelCheck& check : report.specular)
         if (check.perceptual_roughness > 0) worst = std::max(worst, check.figures.rel_rms);
@@ -73,20 +75,22 @@ public:
     explicit Results(bool json) : json_(json) {}
 
     void add(const fs::path& folder, const BakeReport& report, double seconds) {
-        Json entry = {{"source", report.source.name},
-                      {"folder", folder.string()},
-                      {"worst_rel_rms", worst_rel_rms(report)},
-                      {"seconds", seconds}};
+        Json entry = {{"source", report.source.name}, {"folder", folder.string()}};
+        const auto worst = worst_rel_rms(report);
+        if (worst) entry["worst_rel_rms"] = *worst;
+        entry["seconds"] = seconds;
         for (const WrittenFile& file : report.files)
             entry["files"].push_back((folder / file.name).string());
         panoramas_.push_back(entry);
         if (json_) return;
         std::cout << folder.string()
                   << "/: " << join(report.files, ", ", [](const auto& file) { return file.name; })
-                  << ", report.json, report.txt\n"
-                  << "  worst rel_rms beyond the mirror level " << std::setprecision(2)
-                  << std::scientific << worst_rel_rms(report) << ", " << std::fixed << seconds
-                  << " s\n";
+                  << ", report.json, report.txt\n  " << std::setprecision(2) << std::scientific;
+        if (worst)
+            std::cout << "worst rel_rms beyond the mirror level " << *worst << ", ";
+        else
+            std::cout << "not measured (--probes), error bounds in report.txt, ";
+        std::cout << std::fixed << seconds << " s\n";
         for (const std::string& note : report.notes) std::cout << "  note: " << note << "\n";
         std::cout << std::flush;
     }
@@ -122,10 +126,11 @@ private:
 };
 
 Result<BakeReport> bake_file(const std::string& file, const BatchOptions& options,
-                             const BakePlan& plan, const fs::path& folder, Progress& progress) {
-    const auto panorama = read_panorama(file, options.input.plan(), progress);
-    if (!panorama) return panorama.error();
-    return bake(*panorama, plan, folder, progress);
+                             const BakePlan& plan, const std::shared_ptr<FilterTables>& tables,
+                             const fs::path& folder, Progress& progress) {
+    const auto light = load_light(file, options.input.plan(), light_use(plan, tables), progress);
+    if (!light) return light.error();
+    return bake(*light, plan, folder, progress);
 }
 
 }  // namespace
@@ -141,10 +146,11 @@ BatchOptions::BatchOptions(CLI::App& app)
       encoding(app, 3),
       json(app) {
     app.add_option("--probes", probes,
-                   "texels per level whose error against exact integration is measured (default "
-                   "64, fewer above 1024 x 512)")
+                   "texels per level whose error against exact integration is measured, 0 for none "
+                   "(default 64, fewer above 1024 x 512, none above 2048 x 1024, where the "
+                   "panorama is streamed)")
         ->option_text("COUNT")
-        ->check(whole_number(1, 1 << 24));
+        ->check(whole_number(0, 1 << 24));
     app.add_flag("--no-picture", no_picture, "do not write the picture contact.png");
 }
 
@@ -169,10 +175,11 @@ Result<ExitCode> run_batch(const BatchOptions& options, Progress& progress) {
 
     Results results(options.json.json);
     std::optional<BakedTable> table;
+    const auto tables = std::make_shared<FilterTables>();
     for (const std::string& file : panoramas) {
         const Stopwatch stopwatch;
         const fs::path target = folder / fs::path(file).stem();
-        const auto report = bake_file(file, options, *plan, target, progress);
+        const auto report = bake_file(file, options, *plan, tables, target, progress);
         if (report)
             results.add(target, *report, stopwatch.seconds());
         else if (report.error().kind == ErrorKind::interrupted)

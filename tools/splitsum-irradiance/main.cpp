@@ -34,17 +34,14 @@ Status write_series(const Light& light, const LevelsPlan& plan,
     const Mat3d turn = panorama_from_cube(plan.orientation);
     const IrradianceHarmonics harmonics = irradiance_harmonics(
         light.filter_source(), plan.irradiance->harmonics_order, plan.irradiance->windowed, turn);
-    std::vector<LevelCheck> checks;
-    if (const int probes = output.probes(light); probes > 0) {
-        progress.begin("measuring", probes);
-        const auto check = check_harmonics(harmonics, {light.environment, turn, probes}, progress);
-        if (!check) return check.error();
-        checks.push_back(*check);
-    }
+    const int probes = output.probes(light);
+    progress.begin("measuring", probes);
+    const auto check = check_harmonics(harmonics, {light.environment, turn, probes}, progress);
+    if (!check) return check.error();
     const Status written = write_harmonics(
         harmonics, irradiance_facts(light.source, *plan.irradiance, plan.filter, plan.orientation),
         output.path());
-    if (written) output.print(checks, {}, {}, light);
+    if (written) output.print({*check}, {}, {}, light);
     return written;
 }
 
@@ -73,7 +70,7 @@ int main(int argc, char** argv) {
         if (!possible) return possible;
         const LevelsPlan plan{std::nullopt, irradiance.plan, filter.plan, orientation.plan};
         const auto light =
-            load_light(input.panorama(), input.plan(), plan, output.wants_probes(), progress);
+            load_light(input.panorama(), input.plan(), {plan, output.wants_probes()}, progress);
         if (!light) return light.error();
         if (series) return write_series(*light, plan, output, progress);
         return write_cubemap(*light, plan, encoding, output, progress);

@@ -26,8 +26,8 @@ int main(int argc, char** argv) {
         const Status possible = output.check({encoding.format(), plan->face_size, plan->levels});
         if (!possible) return possible;
         const LevelsPlan levels_plan{*plan, std::nullopt, filter.plan, orientation.plan};
-        const auto light = load_light(input.panorama(), input.plan(), levels_plan,
-                                      output.wants_probes(), progress);
+        const auto light = load_light(input.panorama(), input.plan(),
+                                      {levels_plan, output.wants_probes()}, progress);
         if (!light) return light.error();
 
         const auto levels = filter_levels(light->filter_source(), levels_plan, progress);

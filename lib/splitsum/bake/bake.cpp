@@ -21,10 +21,13 @@ struct BakedAssets {
     std::vector<LevelAccount> accounts;
 };
 
-Result<BakedAssets> make_assets(const Environment& environment, const BakePlan& plan,
-                                const BakeReport& report, Progress& progress) {
-    const LevelsPlan levels_plan{plan.specular, plan.irradiance, plan.filter, plan.orientation};
-    const auto levels = filter_levels(environment, levels_plan, progress);
+LevelsPlan levels_plan(const BakePlan& plan) {
+    return {plan.specular, plan.irradiance, plan.filter, plan.orientation};
+}
+
+Result<BakedAssets> make_assets(const Light& light, const BakePlan& plan, const BakeReport& report,
+                                Progress& progress) {
+    const auto levels = filter_levels(light.filter_source(), levels_plan(plan), progress);
     if (!levels) return levels.error();
     auto specular = cubemap_asset(levels->specular, plan.format, report.specular_facts);
     if (!specular) return specular.error();
@@ -33,16 +36,16 @@ Result<BakedAssets> make_assets(const Environment& environment, const BakePlan& 
     if (!irradiance) return irradiance.error();
     return BakedAssets{
         std::move(*specular), std::move(*irradiance),
-        irradiance_harmonics(environment, plan.irradiance.harmonics_order, plan.irradiance.windowed,
-                             panorama_from_cube(plan.orientation)),
+        irradiance_harmonics(light.filter_source(), plan.irradiance.harmonics_order,
+                             plan.irradiance.windowed, panorama_from_cube(plan.orientation)),
         levels->accounts};
 }
 
 // Fills in the figures of the report.
-Status measure(const BakedAssets& assets, const Environment& environment, const BakePlan& plan,
+Status measure(const BakedAssets& assets, const Light& light, const BakePlan& plan,
                BakeReport& report, Progress& progress) {
-    const int probes = plan.probes.value_or(affordable_probes(environment));
-    const CheckedAgainst truth{environment, panorama_from_cube(plan.orientation), probes};
+    const int probes = plan.probes.value_or(affordable_probes(light));
+    const CheckedAgainst truth{light.environment, panorama_from_cube(plan.orientation), probes};
     progress.begin("measuring", probes * (plan.specular.levels + 2));
     auto specular = check_specular(assets.specular.levels,
                                    report.specular_facts.perceptual_roughness, truth, progress);
@@ -114,35 +117,37 @@ Status write_files(const BakedAssets& assets, const BakePlan& plan,
 }  // namespace
 
 Status validate(const BakePlan& plan) {
-    if (plan.probes && *plan.probes < 1)
+    if (plan.probes && *plan.probes < 0)
         return Error{ErrorKind::bad_argument,
-                     cat("at least 1 probe a level is needed, got ", *plan.probes)};
+                     cat("cannot measure ", *plan.probes, " texels a level; 0 measures none")};
     if (const Status valid = validate(plan.specular); !valid) return valid;
     if (const Status valid = validate(plan.irradiance); !valid) return valid;
     if (const Status valid = validate(plan.filter); !valid) return valid;
     return validate(plan.orientation);
 }
 
-Result<BakeReport> bake(const Panorama& panorama, const BakePlan& plan,
+LightUse light_use(const BakePlan& plan, std::shared_ptr<FilterTables> tables) {
+    return {levels_plan(plan), plan.probes.value_or(0) > 0, std::move(tables)};
+}
+
+Result<BakeReport> bake(const Light& light, const BakePlan& plan,
                         const std::filesystem::path& folder, Progress& progress) {
     if (const Status valid = validate(plan); !valid) return valid.error();
-    const Environment environment(panorama.pixels);
-
     BakeReport report;
-    report.source = source_facts(panorama);
-    report.source_width = panorama.pixels.width;
-    report.source_height = panorama.pixels.height;
-    report.source_mean_radiance = mean_radiance(environment);
-    report.notes = panorama.notes;
+    report.source = light.source;
+    report.source_width = light.width;
+    report.source_height = light.height;
+    report.source_mean_radiance = mean_radiance(light.environment);
+    report.notes = light.notes;
     report.format = plan.format;
     report.specular_facts =
         specular_facts(report.source, plan.specular, plan.filter, plan.orientation);
     report.irradiance_facts =
         irradiance_facts(report.source, plan.irradiance, plan.filter, plan.orientation);
 
-    const auto assets = make_assets(environment, plan, report, progress);
+    const auto assets = make_assets(light, plan, report, progress);
     if (!assets) return assets.error();
-    const Status measured = measure(*assets, environment, plan, report, progress);
+    const Status measured = measure(*assets, light, plan, report, progress);
     if (!measured) return measured.error();
     const Status written = write_files(*assets, plan, folder, report);
     if (!written) return written.error();

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 
+#include "splitsum/bake/light.h"
 #include "splitsum/base/progress.h"
 #include "splitsum/base/result.h"
 #include "splitsum/container/containers.h"
-#include "splitsum/filter/asset_levels.h"
-#include "splitsum/panorama/panorama.h"
 #include "splitsum/report/bake_report.h"
 
 namespace splitsum {
@@ -21,7 +21,8 @@ struct BakePlan {
     Orientation orientation;
     PixelFormat format = PixelFormat::rgba16f;
     ContainerOptions container;
-    /// Texels a level that are measured against exact integration; affordable_probes if not given.
+    /// Texels a level that are measured against exact integration; if not given, affordable_probes,
+    /// or none of a light whose texels were not kept.
     std::optional<int> probes;
     bool picture = true;  ///< write contact.png
 };
@@ -29,13 +30,16 @@ struct BakePlan {
 /// Fails with bad_argument: what was asked, and what would work.
 Status validate(const BakePlan& plan);
 
-/// The main job: filters the panorama, stores specular.ktx2, irradiance.ktx2, harmonics.json and
+/// What to load the light of a panorama for.
+LightUse light_use(const BakePlan& plan, std::shared_ptr<FilterTables> tables);
+
+/// The main job: filters the light, stores specular.ktx2, irradiance.ktx2, harmonics.json and
 /// contact.png in `folder` (made if it is missing), measures what was stored and writes report.json
 /// and report.txt last. Each file appears whole or not at all; nothing is written before all of the
 /// light is computed and measured.
 ///
 /// Fails with bad_argument, unwritable_output or interrupted.
-Result<BakeReport> bake(const Panorama& panorama, const BakePlan& plan,
+Result<BakeReport> bake(const Light& light, const BakePlan& plan,
                         const std::filesystem::path& folder, Progress& progress);
 
 }  // namespace splitsum

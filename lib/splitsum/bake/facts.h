@@ -1,6 +1,5 @@
 #pragma once
 
-#include "splitsum/bake/bake.h"
 #include "splitsum/panorama/panorama.h"
 #include "splitsum/report/asset_facts.h"
 

@@ -4,7 +4,9 @@
 
 #include "splitsum/bake/facts.h"
 #include "splitsum/filter/spectral.h"
+#include "splitsum/sphere/area_filter_builder.h"
 #include "splitsum/sphere/environment_builder.h"
+#include "splitsum/verify/check_levels.h"
 
 namespace splitsum {
 namespace {
@@ -12,68 +14,101 @@ namespace {
 constexpr int most_rows_kept = 1024;
 
 Result<Light> load_all(const std::filesystem::path& path, const PanoramaOptions& options,
-                       Progress& progress) {
+                       const LightUse& use, Progress& progress) {
     const auto panorama = read_panorama(path, options, progress);
     if (!panorama) return panorama.error();
-    return Light{Environment(panorama->pixels), std::nullopt, source_facts(*panorama),
-                 panorama->notes};
+    return light_of(*panorama, use.tables);
 }
 
-// A few rows for each row of the mirror level, and enough to look at.
-int averaged_rows(int height, const LevelsPlan& plan) {
-    const int wanted = std::max(most_rows_kept, plan.specular ? 6 * plan.specular->face_size : 0);
-    const int shrink = (height + wanted - 1) / wanted;
-    return (height + shrink - 1) / shrink;
+// Whether the chain begins with the mirror image.
+bool has_mirror(const LevelsPlan& plan) {
+    return plan.specular &&
+           roughness_of_levels(plan.specular->roughness, plan.specular->levels)[0] == 0;
 }
 
 // What is built from the rows of a panorama as they come.
 struct Builders {
     SpectrumBuilder spectrum;
+    std::optional<AreaFilterBuilder> mirror;
     EnvironmentBuilder environment;
 
-    Builders(int height, int bands, const LevelsPlan& plan)
-        : spectrum(height, bands), environment(height, averaged_rows(height, plan)) {}
+    Builders(int height, int bands, const LightUse& use)
+        : spectrum(height, bands), environment(height, most_rows_kept / 4) {
+        if (has_mirror(use.levels))
+            mirror.emplace(use.tables->area_geometry(height, use.levels.specular->face_size,
+                                                     panorama_from_cube(use.levels.orientation)));
+    }
 
     void add(int row_count, const float* rgb) {
         spectrum.add_rows(row_count, rgb, 3);
+        if (mirror) mirror->add_rows(row_count, rgb, 3);
         environment.add_rows(row_count, rgb, 3);
     }
 };
 
 Result<Light> stream(const std::filesystem::path& path, const PanoramaOptions& options,
-                     const LevelsPlan& plan, int height, int bands, Progress& progress) {
-    Builders builders(height, bands, plan);
+                     const LightUse& use, int height, int bands, Progress& progress) {
+    std::optional<Builders> builders(std::in_place, height, bands, use);
     const auto panorama = stream_panorama(
         path, options,
         [&](int, int row_count, std::span<const float> rgb) {
-            builders.add(row_count, rgb.data());
+            builders->add(row_count, rgb.data());
         },
-        [&] { builders = Builders(height, bands, plan); }, progress);
+        [&] { builders.emplace(height, bands, use); }, progress);
     if (!panorama) return panorama.error();
-    return Light{std::move(builders.environment).finish(), builders.spectrum.finish(),
-                 source_facts(*panorama), panorama->notes};
+    Light light{std::move(builders->environment).finish(), use.tables};
+    light.spectrum = builders->spectrum.finish();
+    if (builders->mirror) light.mirror = std::move(*builders->mirror).finish();
+    light.source = source_facts(*panorama);
+    light.width = 2 * height;
+    light.height = height;
+    light.notes = panorama->notes;
+    return light;
 }
 
-// The bands to transform if harmonics are all that the plan needs.
-std::optional<int> bands_of(const LevelsPlan& plan) {
-    if (plan.filter.method != "auto" && plan.filter.method != "spectral") return std::nullopt;
-    return bands_to_transform(lobes_of(plan), plan.filter.accuracy);
+// The bands to begin with if harmonics are all that the plan needs.
+std::optional<int> bands_of(const LightUse& use) {
+    const FilterPlan& filter = use.levels.filter;
+    if (filter.method != "auto" && filter.method != "spectral") return std::nullopt;
+    return bands_to_transform(*use.tables, lobes_of(use.levels), filter.accuracy);
 }
 
 }  // namespace
 
+FilterSource Light::filter_source() const {
+    FilterSource filtered(environment, tables);
+    filtered.spectrum = spectrum ? &*spectrum : nullptr;
+    filtered.mirror = mirror ? &*mirror : nullptr;
+    return filtered;
+}
+
 Result<Light> load_light(const std::filesystem::path& path, const PanoramaOptions& options,
-                         const LevelsPlan& plan, bool keep_texels, Progress& progress) {
+                         const LightUse& use, Progress& progress) {
+    if (const Status valid = validate(use.levels); !valid) return valid.error();
     const auto size = panorama_size(path, options);
     if (!size) return size.error();
-    const auto bands = bands_of(plan);
-    if (keep_texels || size->height <= most_rows_kept || !bands)
-        return load_all(path, options, progress);
-    auto light = stream(path, options, plan, size->height, *bands, progress);
+    const auto guess = bands_of(use);
+    if (use.keep_texels || size->height <= most_rows_kept || !guess)
+        return load_all(path, options, use, progress);
+    auto light = stream(path, options, use, size->height, *guess, progress);
     if (!light) return light.error();
-    // A sun too strong for the guess: with all texels at hand, as many bands as it takes.
-    if (!has_enough_bands(*light->spectrum, lobes_of(plan), plan.filter.accuracy))
-        return load_all(path, options, progress);
+    const auto bands = bands_needed(*use.tables, *light->spectrum, lobes_of(use.levels),
+                                    use.levels.filter.accuracy);
+    if (!bands) return load_all(path, options, use, progress);
+    if (*bands <= *guess) return light;
+    return stream(path, options, use, size->height, *bands, progress);
+}
+
+int affordable_probes(const Light& light) {
+    return light.spectrum ? 0 : affordable_probes(light.environment);
+}
+
+Light light_of(const Panorama& panorama, std::shared_ptr<FilterTables> tables) {
+    Light light{Environment(panorama.pixels), std::move(tables)};
+    light.source = source_facts(panorama);
+    light.width = panorama.pixels.width;
+    light.height = panorama.pixels.height;
+    light.notes = panorama.notes;
     return light;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,22 +17,46 @@ namespace splitsum {
 /// A panorama as the filters see it.
 struct Light {
     Environment environment;
-    std::optional<Spectrum> spectrum;  ///< where `environment` is only an average of the light
-    SourceFacts source;
-    std::vector<std::string> notes;
+    std::shared_ptr<FilterTables> tables;
 
-    FilterSource filter_source() const { return {environment, spectrum ? &*spectrum : nullptr}; }
+    /// Where the panorama was streamed, and `environment` is only an average of it to look at.
+    std::optional<Spectrum> spectrum{};
+    std::optional<Cubemap> mirror{};
+
+    SourceFacts source{};
+    int width = 0;  ///< of the panorama
+    int height = 0;
+    std::vector<std::string> notes{};
+
+    FilterSource filter_source() const;
 };
 
-/// Reads a panorama for the levels of a plan.
+/// What a light is loaded for.
+struct LightUse {
+    LevelsPlan levels;
+    /// The caller will integrate over the texels itself: they must stay in memory.
+    bool keep_texels = false;
+    /// Shared by the lights of a run.
+    std::shared_ptr<FilterTables> tables = std::make_shared<FilterTables>();
+};
+
+/// Reads a panorama in order to make levels of it.
 ///
 /// Up to 1024 rows, or for methods that look at texels, all of it is kept. Larger ones are streamed
-/// where the harmonics are all that is needed: each row is transformed and averaged down for the
-/// mirror level as it arrives, so that memory follows the transform and the levels, not the file.
-/// `keep_texels` prevents that, for callers that will integrate over the texels themselves.
+/// where the harmonics and the mirror level are all that is needed: rows are transformed and area-
+/// filtered as they arrive, so that memory follows the transform and the levels, not the file. If
+/// the light turns out to need more bands than were guessed, the file is streamed once more.
 ///
 /// Fails as read_panorama does.
 Result<Light> load_light(const std::filesystem::path& path, const PanoramaOptions& options,
-                         const LevelsPlan& plan, bool keep_texels, Progress& progress);
+                         const LightUse& use, Progress& progress);
+
+/// How many texels a level can be measured in the time of a bake: as many as affordable_probes of
+/// verify/check_levels.h says, none where the texels of the panorama were not kept.
+int affordable_probes(const Light& light);
+
+/// A panorama that is in memory.
+Light light_of(const Panorama& panorama,
+               std::shared_ptr<FilterTables> tables = std::make_shared<FilterTables>());
 
 }  // namespace splitsum

@@ -33,16 +33,6 @@ std::vector<Job> jobs_of(const LevelsPlan& plan) {
 
 bool is_mirror(const Job& job) { return job.lobe.kind == LobeKind::ggx && job.lobe.alpha == 0; }
 
-Status validate(const LevelsPlan& plan) {
-    if (const Status valid = validate(plan.filter); !valid) return valid;
-    if (const Status valid = validate(plan.orientation); !valid) return valid;
-    if (plan.specular)
-        if (const Status valid = validate(*plan.specular); !valid) return valid;
-    if (plan.irradiance)
-        if (const Status valid = validate(*plan.irradiance); !valid) return valid;
-    return ok;
-}
-
 // The method, able to filter everything the plan asks for.
 Result<FilterMethod> method_of(const LevelsPlan& plan) {
     if (plan.irradiance)
@@ -51,22 +41,18 @@ Result<FilterMethod> method_of(const LevelsPlan& plan) {
     return find_filter_method(plan.filter.method, plan.specular ? LobeKind::ggx : LobeKind::cosine);
 }
 
-// The mirror image wants no more texels than a few for each of its own.
-Result<Cubemap> mirror_image(const Environment& environment, int face_size,
-                             const Mat3d& panorama_from_cube, Progress& progress) {
-    const int enough = 8 * face_size;  // rows; the cube has 2 face_size from pole to pole
-    if (environment.height() < 2 * enough)
-        return area_filtered_cubemap(environment, face_size, panorama_from_cube, progress);
-    const int shrink = environment.height() / enough;
-    return area_filtered_cubemap(averaged_down(environment, environment.height() / shrink),
-                                 face_size, panorama_from_cube, progress);
-}
-
-Result<FilteredCubemap> mirror_level(const Environment& environment, int face_size,
+Result<FilteredCubemap> mirror_level(const FilterSource& source, int face_size,
                                      const Mat3d& panorama_from_cube, Progress& progress) {
-    auto cubemap = mirror_image(environment, face_size, panorama_from_cube, progress);
+    const LevelAccount account{.method = "mirror"};
+    if (source.mirror && source.mirror->face_size == face_size) {
+        progress.advance(face_count * face_size);
+        return FilteredCubemap{*source.mirror, account};
+    }
+    const auto geometry =
+        source.tables->area_geometry(source.environment.height(), face_size, panorama_from_cube);
+    auto cubemap = area_filtered_cubemap(source.environment, geometry, progress);
     if (!cubemap) return cubemap.error();
-    return FilteredCubemap{std::move(*cubemap), {.method = "mirror"}};
+    return FilteredCubemap{std::move(*cubemap), account};
 }
 
 Result<std::vector<FilteredCubemap>> run(const std::vector<Job>& jobs, const FilterMethod& method,
@@ -81,10 +67,10 @@ Result<std::vector<FilteredCubemap>> run(const std::vector<Job>& jobs, const Fil
     size_t lobe = 0;
     uint32_t first_key = 0;
     for (const Job& job : jobs) {
-        auto level = is_mirror(job) ? mirror_level(source.environment, job.face_size,
-                                                   panorama_from_cube, progress)
-                                    : filter_cubemap(*filter, lobe++, job.face_size,
-                                                     panorama_from_cube, first_key, progress);
+        auto level = is_mirror(job)
+                         ? mirror_level(source, job.face_size, panorama_from_cube, progress)
+                         : filter_cubemap(*filter, lobe++, job.face_size, panorama_from_cube,
+                                          first_key, progress);
         if (!level) return level.error();
         first_key += uint32_t(level->cubemap.texels.size());
         levels.push_back(std::move(*level));
@@ -93,6 +79,16 @@ Result<std::vector<FilteredCubemap>> run(const std::vector<Job>& jobs, const Fil
 }
 
 }  // namespace
+
+Status validate(const LevelsPlan& plan) {
+    if (const Status valid = validate(plan.filter); !valid) return valid;
+    if (const Status valid = validate(plan.orientation); !valid) return valid;
+    if (plan.specular)
+        if (const Status valid = validate(*plan.specular); !valid) return valid;
+    if (plan.irradiance)
+        if (const Status valid = validate(*plan.irradiance); !valid) return valid;
+    return ok;
+}
 
 std::vector<Lobe> lobes_of(const LevelsPlan& plan) {
     std::vector<Lobe> lobes;

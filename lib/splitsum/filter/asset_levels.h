@@ -27,6 +27,9 @@ struct AssetLevels {
     std::optional<Cubemap> irradiance;  ///< E / pi, or E where the plan says so
 };
 
+/// Fails with bad_argument: what was asked, and what would work.
+Status validate(const LevelsPlan& plan);
+
 /// The lobes that the levels of the plan are filtered with, in order, without those of roughness 0.
 std::vector<Lobe> lobes_of(const LevelsPlan& plan);
 

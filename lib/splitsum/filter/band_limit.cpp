@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "splitsum/brdf/band_factors.h"
-
 namespace splitsum {
 namespace {
 
@@ -12,21 +10,22 @@ double square(double x) { return x * x; }
 
 }  // namespace
 
-std::vector<double> significant_factors(const Lobe& lobe, double smallest, int most) {
+std::vector<double> significant_factors(FilterTables& tables, const Lobe& lobe, double smallest,
+                                        int most) {
     for (int count = 64;; count *= 2) {
-        std::vector<double> factors = band_factors(lobe, std::min(count, most) + 1);
+        const auto known = tables.band_factors(lobe, std::min(count, most) + 1);
+        const std::span factors(*known);
         // The clamped cosine has no odd bands: two in a row tell that it is over.
         size_t needed = factors.size();
         while (needed > 1 && std::abs(factors[needed - 1]) <= smallest) --needed;
-        if (needed + 2 <= factors.size() || count >= most) {
-            factors.resize(std::min(factors.size(), needed + 2));
-            return factors;
-        }
+        if (needed + 2 <= factors.size() || count >= most)
+            return {factors.begin(), factors.begin() + std::min(factors.size(), needed + 2)};
     }
 }
 
-std::optional<int> bands_for_point_light(const Lobe& lobe, double accuracy, int most) {
-    const std::vector<double> factors = significant_factors(lobe, 1e-3 * accuracy, most);
+std::optional<int> bands_for_point_light(FilterTables& tables, const Lobe& lobe, double accuracy,
+                                         int most) {
+    const std::vector<double> factors = significant_factors(tables, lobe, 1e-3 * accuracy, most);
     const auto power = [&](size_t l) { return square(factors[l]) * double(2 * l + 1); };
     double whole = 0;
     for (size_t l = 0; l < factors.size(); ++l) whole += power(l);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "splitsum/brdf/lobe.h"
+#include "splitsum/filter/filter_tables.h"
 #include "splitsum/filter/spectrum.h"
 
 namespace splitsum {
@@ -19,11 +20,13 @@ struct BandLimit {
 /// The factors of as many bands as it takes until all that follow are at most `smallest`, or of
 /// `most` bands if that is not enough. Those that follow are taken to be no larger than the last
 /// one, which holds from a few bands on for lobes that fall off steadily. Cost: O(bands²).
-std::vector<double> significant_factors(const Lobe& lobe, double smallest, int most);
+std::vector<double> significant_factors(FilterTables& tables, const Lobe& lobe, double smallest,
+                                        int most);
 
 /// How many bands leave out at most `accuracy` (rel_rms) of the lobe around a single point light,
 /// whose power is the same for every harmonic; nothing if that takes more than `most`.
-std::optional<int> bands_for_point_light(const Lobe& lobe, double accuracy, int most);
+std::optional<int> bands_for_point_light(FilterTables& tables, const Lobe& lobe, double accuracy,
+                                         int most);
 
 /// The size below which a factor cannot matter to an environment with these powers (∫ L² dl and
 /// 4 pi mean²): leaving out all bands with smaller factors costs at most `accuracy`.

@@ -1,19 +1,28 @@
 #pragma once
 
+#include <memory>
+
+#include "splitsum/filter/filter_tables.h"
 #include "splitsum/filter/spectrum.h"
+#include "splitsum/sphere/cubemap.h"
 #include "splitsum/sphere/environment.h"
 
 namespace splitsum {
 
 /// The light to be filtered.
 struct FilterSource {
-    FilterSource(const Environment& light, const Spectrum* exact = nullptr)
-        : environment(light), spectrum(exact) {}
+    /// `shared` are tables to be used for other lights too; without them, new ones.
+    FilterSource(const Environment& light, std::shared_ptr<FilterTables> shared = nullptr)
+        : environment(light),
+          tables(shared ? std::move(shared) : std::make_shared<FilterTables>()) {}
 
     const Environment& environment;
+    std::shared_ptr<FilterTables> tables;
+
     /// Of the light itself, where `environment` is an average of it (a large panorama that was
     /// streamed); null where the environment is the light.
-    const Spectrum* spectrum;
+    const Spectrum* spectrum = nullptr;
+    const Cubemap* mirror = nullptr;  ///< the area-filtered image, for the levels of roughness 0
 };
 
 }  // namespace splitsum

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "splitsum/base/buffer.h"
 #include "splitsum/filter/fft.h"
 
 namespace splitsum {
@@ -36,7 +37,7 @@ private:
     int orders_;
     Fft fft_;
     std::vector<std::complex<float>> first_texel_;  // its transform, for each order
-    std::vector<float> coefficients_;
+    Buffer<float> coefficients_;
 };
 
 }  // namespace splitsum

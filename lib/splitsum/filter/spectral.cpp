@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "splitsum/base/parallel.h"
 #include "splitsum/filter/band_limit.h"
 #include "splitsum/filter/interpolation.h"
 #include "splitsum/filter/narrow_lobe.h"
@@ -20,8 +21,8 @@ constexpr int most_bands = 2000;
 
 // Shares of the accuracy that was asked for: bands left out, interpolation, the cut of a narrow
 // lobe's rest. Far below 1 together, because these errors lie around bright lights while a figure
-// taken at a few texels may see the dark beside them: with 0.3, 64 texels of a studio of soft boxes
-// showed 9e-4 where 1000 showed 2.7e-4; with 0.1 both stay under 4e-4.
+// taken at a few texels may see the dark beside them: 64 texels of a studio of soft boxes showed
+// 9e-4 with 0.3 and 3.4e-4 with 0.1; with 0.05 no capture shows more than 2e-4.
 constexpr double truncation_share = 0.05;
 constexpr double largest_truncation_share = 0.5;  // where the bands were chosen before the light
 constexpr double interpolation_share = 0.05;
@@ -38,7 +39,7 @@ struct LobePlan {
 };
 
 struct FilteredLobe {
-    SphereGrid grid;
+    SphereGrid grid{0, 0};
     std::optional<NarrowLobe> narrow;
     LevelAccount account;
 };
@@ -78,14 +79,14 @@ double negligible_for(const FilterSource& source, double accuracy) {
                              4 * std::numbers::pi * dot(mean, mean), accuracy);
 }
 
-LobePlan plan_lobe(const Lobe& lobe, double negligible, double accuracy) {
-    std::vector<double> factors = significant_factors(lobe, negligible, most_bands);
+LobePlan plan_lobe(FilterTables& tables, const Lobe& lobe, double negligible, double accuracy) {
+    std::vector<double> factors = significant_factors(tables, lobe, negligible, most_bands);
     if (std::abs(factors.back()) <= negligible || lobe.kind != LobeKind::ggx)
         return {lobe, std::move(factors), std::nullopt};
     Lobe wide = lobe;
     do {
         wide.alpha *= 1.25;
-        factors = significant_factors(wide, negligible, most_bands);
+        factors = significant_factors(tables, wide, negligible, most_bands);
     } while (std::abs(factors.back()) > negligible);
     return {wide, std::move(factors), NarrowLobe(lobe.alpha, wide.alpha, cap_share * accuracy)};
 }
@@ -106,42 +107,52 @@ std::unique_ptr<PreparedFilter> prepare_spectral(const FilterSource& source,
                                                  std::span<const Lobe> lobes,
                                                  const FilterPlan& plan) {
     const double negligible = negligible_for(source, truncation_share * plan.accuracy);
-    std::vector<LobePlan> plans;
+    std::vector<LobePlan> plans(lobes.size());
+    parallel_rows(int(lobes.size()), [&](int i) {
+        plans[size_t(i)] = plan_lobe(*source.tables, lobes[size_t(i)], negligible, plan.accuracy);
+    });
     size_t bands = 1;
-    for (const Lobe& lobe : lobes) {
-        plans.push_back(plan_lobe(lobe, negligible, plan.accuracy));
-        bands = std::max(bands, plans.back().factors.size() - 1);
-    }
+    for (const LobePlan& lobe : plans) bands = std::max(bands, lobe.factors.size() - 1);
     std::optional<Spectrum> own;
     if (!source.spectrum) own = forward_transform(source.environment, int(bands));
     const Spectrum& spectrum = source.spectrum ? *source.spectrum : *own;
-    std::vector<FilteredLobe> filtered;
-    for (const LobePlan& lobe : plans)
-        filtered.push_back(filter_lobe(spectrum, lobe, plan.accuracy));
+    std::vector<FilteredLobe> filtered(lobes.size());
+    parallel_rows(int(lobes.size()), [&](int i) {
+        filtered[size_t(i)] = filter_lobe(spectrum, plans[size_t(i)], plan.accuracy);
+    });
     return std::make_unique<SpectralFilter>(source.environment, std::move(filtered));
 }
 
-std::optional<int> bands_to_transform(std::span<const Lobe> lobes, double accuracy) {
+std::optional<int> bands_to_transform(FilterTables& tables, std::span<const Lobe> lobes,
+                                      double accuracy) {
     constexpr int fewest = 256;
     constexpr double narrow = 0.5;  // radians; wider lobes have a kink at the horizon to resolve
     int bands = fewest;
     for (const Lobe& lobe : lobes) {
         if (lobe_width(lobe) > narrow) continue;
-        const auto needed = bands_for_point_light(lobe, truncation_share * accuracy, most_bands);
+        const auto needed =
+            bands_for_point_light(tables, lobe, truncation_share * accuracy, most_bands);
         if (!needed) return std::nullopt;
         bands = std::max(bands, *needed);
     }
     return bands;
 }
 
-bool has_enough_bands(const Spectrum& spectrum, std::span<const Lobe> lobes, double accuracy) {
+std::optional<int> bands_needed(FilterTables& tables, const Spectrum& spectrum,
+                                std::span<const Lobe> lobes, double accuracy) {
     const double negligible =
         negligible_factor(spectrum.total_power(), spectrum.power(0), truncation_share * accuracy);
-    return std::ranges::all_of(lobes, [&](const Lobe& lobe) {
-        const std::vector<double> factors = significant_factors(lobe, negligible, most_bands);
-        return band_limit(spectrum, factors, truncation_share * accuracy).truncation_bound <=
-               largest_truncation_share * accuracy;
-    });
+    int bands = spectrum.bands();
+    for (const Lobe& lobe : lobes) {
+        const auto factors = significant_factors(tables, lobe, negligible, most_bands);
+        const double bound =
+            band_limit(spectrum, factors, truncation_share * accuracy).truncation_bound;
+        if (bound <= largest_truncation_share * accuracy) continue;
+        if (std::abs(factors.back()) > negligible && lobe.kind == LobeKind::ggx)
+            return std::nullopt;
+        bands = std::max(bands, int(factors.size()) - 1);
+    }
+    return bands;
 }
 
 }  // namespace splitsum

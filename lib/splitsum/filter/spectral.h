@@ -23,9 +23,12 @@ std::unique_ptr<PreparedFilter> prepare_spectral(const FilterSource& source,
 /// under a single point light, the worst case, and for the wide ones, whose factors fall off slowly
 /// but meet little power up there, enough for all but the strongest suns. Nothing where a lobe is so
 /// narrow that the texels themselves are needed.
-std::optional<int> bands_to_transform(std::span<const Lobe> lobes, double accuracy);
+std::optional<int> bands_to_transform(FilterTables& tables, std::span<const Lobe> lobes,
+                                      double accuracy);
 
-/// Whether such a spectrum has turned out to have the bands that these lobes need.
-bool has_enough_bands(const Spectrum& spectrum, std::span<const Lobe> lobes, double accuracy);
+/// How many bands such a spectrum should have had for these lobes, which may be as many as it has.
+/// Nothing where the texels themselves are needed.
+std::optional<int> bands_needed(FilterTables& tables, const Spectrum& spectrum,
+                                std::span<const Lobe> lobes, double accuracy);
 
 }  // namespace splitsum

@@ -47,7 +47,7 @@ private:
 /// (RowsToRings), and the polynomial between rings takes the place of the Gauss points.
 ///
 /// Error: about 1e-7 of the row's largest coefficients (the FFT is fp32, everything after it fp64),
-/// and 1e-5 at the highest band for the Gauss points, or 2e-3 at the highest and 6e-6 at half of it
+/// and 3e-5 at the highest band for the Gauss points, or 2e-3 at the highest and 6e-6 at half of it
 /// between rings: those are bands that the lobes have all but extinguished.
 /// Cost: lines * bands² / 4 steps of the Legendre recurrence for each Gauss point, in parallel over
 /// orders. Memory: 6 floats a line and band, then 24 bytes a coefficient.

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
+
+#include "splitsum/base/buffer.h"
 
 namespace splitsum {
 
@@ -13,12 +14,13 @@ public:
     /// How far around a point the interpolation reaches, on either side.
     static constexpr int reach = 3;
 
+    /// The points have no values yet.
     SphereGrid(int rings, int columns);
 
     int rings() const { return rings_; }
     int columns() const { return columns_; }
 
-    /// Ring k, four floats a point; k from -reach to rings + reach - 1, columns likewise: the grid
+    /// Ring k, four floats a point, the last of which is 0; k from -reach to rings + reach - 1, columns likewise: the grid
     /// goes on over the poles and around the circle.
     float* point(int ring, int column) {
         return points_.data() + 4 * (size_t(ring + reach) * stride() + size_t(column + reach));
@@ -36,7 +38,7 @@ public:
 private:
     int rings_;
     int columns_;
-    std::vector<float> points_;
+    Buffer<float> points_;
 };
 
 }  // namespace splitsum

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "splitsum/base/buffer.h"
 #include "splitsum/base/parallel.h"
 #include "splitsum/filter/fft.h"
 #include "splitsum/filter/interpolation.h"
@@ -30,7 +31,7 @@ struct NorthernRings {
 // [order][even, odd][complex_rgb][northern ring]: the Fourier coefficients along each ring.
 struct RingFourier {
     size_t rings;  // northern, padded
-    std::vector<float> values;
+    Buffer<float> values;
 
     RingFourier(size_t padded_rings, int orders)
         : rings(padded_rings), values(size_t(orders) * 2 * complex_rgb * padded_rings) {}
@@ -57,40 +58,70 @@ RingFourier fourier_of_rings(const Spectrum& spectrum, std::span<const double> f
     parallel_rows(bands, [&](int m) {
         const std::vector<double> coefficients = filtered_order(spectrum, factors, m);
         const size_t first = first_relevant_angle(m, bands, angles.sine);
+        for (size_t c = 0; c < 2 * complex_rgb; ++c)
+            std::fill_n(fourier.even(m) + c * fourier.rings, first, 0.0f);
         sum_order(LegendreOrder(m, bands), bands, angles.cosine, angles.sine, first,
                   coefficients.data(), fourier.even(m), fourier.odd(m));
     });
     return fourier;
 }
 
+// One channel of a few neighbouring northern rings and their southern mirrors, whose coefficients
+// are side by side in memory.
+struct RingBlock {
+    static constexpr int most_rings = 8;
+
+    int first_ring;
+    int count;
+    size_t channel;
+};
+
 // Both rings of a pair at once: the northern as real part, the southern as imaginary part.
-void transform_ring_pair(const RingFourier& fourier, int bands, int ring, const Fft& fft,
-                         SphereGrid& grid) {
-    const size_t columns = size_t(grid.columns());
-    std::vector<FftValue> bins(columns), values(columns);
-    for (size_t channel = 0; channel < 3; ++channel) {
-        std::ranges::fill(bins, FftValue{0, 0});
-        for (int m = 0; m < bands; ++m) {
-            const float* even = fourier.even(m) + channel * fourier.rings + size_t(ring);
-            const float* odd = even + complex_rgb * fourier.rings;
-            const size_t imaginary = 3 * fourier.rings;
-            // Columns begin at azimuth -pi, which changes the sign of odd orders.
-            const float sign = m % 2 == 0 ? 1.0f : -1.0f;
-            const float nr = sign * (even[0] + odd[0]);
-            const float ni = sign * (even[imaginary] + odd[imaginary]);
-            const float sr = sign * (even[0] - odd[0]);
-            const float si = sign * (even[imaginary] - odd[imaginary]);
-            bins[size_t(m)] = {nr - si, ni + sr};
-            if (m > 0) bins[columns - size_t(m)] = {nr + si, sr - ni};
+void transform_ring_pairs(const RingFourier& fourier, int bands, const RingBlock& block,
+                          const Fft& fft, SphereGrid& grid) {
+    const size_t columns = size_t(grid.columns()), count = size_t(block.count);
+    const size_t imaginary = 3 * fourier.rings, to_odd = complex_rgb * fourier.rings;
+    std::vector<FftValue> bins(count * columns, FftValue{0, 0}), values(columns);
+    for (int m = 0; m < bands; ++m) {
+        const float* even =
+            fourier.even(m) + block.channel * fourier.rings + size_t(block.first_ring);
+        const float* odd = even + to_odd;
+        // Columns begin at azimuth -pi, which changes the sign of odd orders.
+        const float sign = m % 2 == 0 ? 1.0f : -1.0f;
+        for (size_t i = 0; i < count; ++i) {
+            const float nr = sign * (even[i] + odd[i]), sr = sign * (even[i] - odd[i]);
+            const float ni = sign * (even[i + imaginary] + odd[i + imaginary]);
+            const float si = sign * (even[i + imaginary] - odd[i + imaginary]);
+            FftValue* ring = bins.data() + i * columns;
+            ring[m] = {nr - si, ni + sr};
+            if (m > 0) ring[columns - size_t(m)] = {nr + si, sr - ni};
         }
-        fft.transform(bins, values);
-        float* north = grid.point(ring, 0) + channel;
-        float* south = grid.point(grid.rings() - 1 - ring, 0) + channel;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        const int ring = block.first_ring + int(i);
+        fft.transform(std::span(bins).subspan(i * columns, columns), values);
+        float* north = grid.point(ring, 0) + block.channel;
+        float* south = grid.point(grid.rings() - 1 - ring, 0) + block.channel;
         for (size_t x = 0; x < columns; ++x) {
             north[4 * x] = values[x].r;
             south[4 * x] = values[x].i;
         }
+        if (block.channel != 2) continue;
+        for (size_t x = 0; x < columns; ++x) north[4 * x + 1] = south[4 * x + 1] = 0;
     }
+}
+
+void transform_rings(const RingFourier& fourier, int bands, SphereGrid& grid) {
+    const Fft fft(grid.columns(), Fft::Direction::inverse);
+    const int northern = grid.rings() / 2;
+    const int blocks = (northern + RingBlock::most_rings - 1) / RingBlock::most_rings;
+    parallel_rows(3 * blocks, [&](int task) {
+        const int first = task / 3 * RingBlock::most_rings;
+        transform_ring_pairs(
+            fourier, bands,
+            {first, std::min(RingBlock::most_rings, northern - first), size_t(task % 3)}, fft,
+            grid);
+    });
 }
 
 }  // namespace
@@ -118,9 +149,7 @@ SphereGrid synthesize(const Spectrum& spectrum, std::span<const double> factors,
     const int bands = int(factors.size());
     SphereGrid grid(rings, Fft::fast_length(2 * rings));
     const RingFourier fourier = fourier_of_rings(spectrum, factors, NorthernRings(rings));
-    const Fft fft(grid.columns(), Fft::Direction::inverse);
-    parallel_rows(rings / 2,
-                  [&](int ring) { transform_ring_pair(fourier, bands, ring, fft, grid); });
+    transform_rings(fourier, bands, grid);
     grid.continue_edges();
     return grid;
 }

@@ -26,7 +26,7 @@ Json check_json(const LevelCheck& check) {
     Json json = {{"level", check.level},
                  {"face_size", check.face_size},
                  {"perceptual_roughness", check.perceptual_roughness}};
-    json.update(figures_json(check.figures));
+    if (check.figures.texels > 0) json.update(figures_json(check.figures));
     const Vec3d& mean = check.mean_radiance;
     json["mean_radiance"] = {mean.x, mean.y, mean.z};
     return json;

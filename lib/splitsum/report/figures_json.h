@@ -15,7 +15,7 @@ nlohmann::ordered_json figures_json(const ErrorFigures& figures);
 /// How a level was made: method, reason, bands, error_bound, clamped_negative.
 nlohmann::ordered_json account_json(const LevelAccount& account);
 
-/// A level's place, figures and mean radiance as one object.
+/// A level's place, figures (if any were measured) and mean radiance as one object.
 nlohmann::ordered_json check_json(const LevelCheck& check);
 
 }  // namespace splitsum

@@ -31,18 +31,14 @@ std::string figures_line(const std::string& what, const LevelCheck& check,
     std::ostringstream line;
     line << std::left << std::setw(name_width) << what << std::right << std::setw(column_width)
          << check.face_size << std::setw(column_width) << std::fixed << std::setprecision(4)
-         << check.perceptual_roughness << std::scientific << std::setprecision(2)
-         << std::setw(column_width) << check.figures.rel_rms << std::setw(column_width)
-         << check.figures.max_rel << std::setw(column_width) << check.figures.bias
-         << std::setw(column_width) << check.figures.texels;
+         << check.perceptual_roughness << std::scientific << std::setprecision(2);
+    for (const double figure : {check.figures.rel_rms, check.figures.max_rel, check.figures.bias}) {
+        line << std::setw(column_width);
+        check.figures.texels > 0 ? line << figure : line << "-";
+    }
+    line << std::setw(column_width) << check.figures.texels;
     if (account) line << "  " << made_by(*account);
     line << "\n";
-    return line.str();
-}
-
-std::string account_line(const std::string& what, const LevelAccount& account) {
-    std::ostringstream line;
-    line << std::left << std::setw(name_width) << what << made_by(account) << "\n";
     return line.str();
 }
 

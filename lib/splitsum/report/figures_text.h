@@ -11,12 +11,9 @@ namespace splitsum {
 /// The heading of the lines that figures_line writes, with or without accounts.
 std::string figures_heading(bool with_accounts);
 
-/// One line of a table of figures for people; `what` stands in the first column. With an account,
-/// the method and its error bound end the line.
+/// One line of a table of figures for people; `what` stands in the first column. Figures that were
+/// not measured are dashes. With an account, the method and its error bound end the line.
 std::string figures_line(const std::string& what, const LevelCheck& check,
                          const LevelAccount* account = nullptr);
-
-/// One line for a level that was not measured: its method and error bound.
-std::string account_line(const std::string& what, const LevelAccount& account);
 
 }  // namespace splitsum

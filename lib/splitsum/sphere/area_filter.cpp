@@ -8,10 +8,19 @@ namespace splitsum {
 
 Result<Cubemap> area_filtered_cubemap(const Environment& environment, int face_size,
                                       const Mat3d& panorama_from_cube, Progress& progress) {
+    return area_filtered_cubemap(
+        environment,
+        std::make_shared<const AreaGeometry>(environment.height(), face_size, panorama_from_cube),
+        progress);
+}
+
+Result<Cubemap> area_filtered_cubemap(const Environment& environment,
+                                      std::shared_ptr<const AreaGeometry> geometry,
+                                      Progress& progress) {
     constexpr int band = 64;  // rows between two looks at `progress`
-    const int height = environment.height(), steps = face_count * face_size;
+    const int height = environment.height(), steps = face_count * geometry->face_size();
     const size_t row_size = 4 * size_t(environment.width());
-    AreaFilterBuilder builder(height, face_size, panorama_from_cube);
+    AreaFilterBuilder builder(std::move(geometry));
     int reported = 0;
     for (int row = 0; row < height; row += band) {
         if (progress.cancelled())

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <memory>
+
 #include "splitsum/base/progress.h"
 #include "splitsum/base/result.h"
 #include "splitsum/math/vec.h"
+#include "splitsum/sphere/area_geometry.h"
 #include "splitsum/sphere/cubemap.h"
 #include "splitsum/sphere/environment.h"
 
@@ -26,5 +29,10 @@ namespace splitsum {
 /// begins the stage); fails only when cancelled.
 Result<Cubemap> area_filtered_cubemap(const Environment& environment, int face_size,
                                       const Mat3d& panorama_from_cube, Progress& progress);
+
+/// The same by a geometry that is at hand, whose height is that of the environment.
+Result<Cubemap> area_filtered_cubemap(const Environment& environment,
+                                      std::shared_ptr<const AreaGeometry> geometry,
+                                      Progress& progress);
 
 }  // namespace splitsum

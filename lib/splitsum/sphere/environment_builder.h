@@ -23,14 +23,24 @@ public:
     Environment finish() &&;
 
 private:
-    void add_row(const float* texels, int floats_per_texel);
-    void add_share(const std::vector<Vec3d>& row, double from, double to);
+    // The part of a fine row that lies in one coarse row.
+    struct Share {
+        int row;  // among those that are being added
+        double weight;
+        int completes = -1;  // the coarse row of which this is the last part
+        double whole = 0;    // the weight of that row
+    };
+
+    void append_shares(int row, std::vector<Share>& shares);
+    Share share(int row, double from, double to);
+    void add_columns(int first, int end, const std::vector<Share>& shares, const float* texels,
+                     int floats_per_texel);
 
     int fine_height_;
     int next_row_ = 0;
     Environment coarse_;
     std::vector<Vec3d> sums_;  // of the coarse row that is being filled
-    double weight_ = 0;
+    double weight_ = 0;        // of its parts so far
 };
 
 }  // namespace splitsum

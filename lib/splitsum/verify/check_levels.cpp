@@ -72,7 +72,8 @@ Result<LevelCheck> check_cubemap(const Cubemap& cubemap, const Lobe& lobe,
     for (const Probe& p : probes) values.push_back(cubemap.at(p.face, p.x, p.y));
 
     const bool mirror = lobe.kind == LobeKind::ggx && lobe.alpha == 0;
-    const auto reference = mirror ? nullptr : prepare_reference(truth.environment, {&lobe, 1}, {});
+    const auto reference =
+        mirror || probes.empty() ? nullptr : prepare_reference(truth.environment, {&lobe, 1}, {});
     const auto exact = [&](size_t i) {
         const Probe& p = probes[i];
         if (mirror) return mean_over_texel(truth, p, cubemap.face_size);

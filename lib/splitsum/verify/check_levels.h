@@ -18,7 +18,7 @@ struct LevelCheck {
     int level = 0;
     int face_size = 0;
     double perceptual_roughness = 0;  ///< 1 for diffuse light, which is the widest lobe
-    ErrorFigures figures;             ///< at the probe texels
+    ErrorFigures figures;             ///< at the probe texels; of 0 texels if there were none
     Vec3d mean_radiance{0};           ///< over the whole level
 };
 
@@ -30,7 +30,8 @@ int affordable_probes(const Environment& environment);
 struct CheckedAgainst {
     const Environment& environment;
     Mat3d panorama_from_cube;
-    int probes = 64;  ///< texels compared a level, spread evenly; all of them when there are fewer
+    /// Texels compared a level, spread evenly; all of them when there are fewer, none if 0.
+    int probes = 64;
 };
 
 /// Compares each level of a prefiltered chain with `reference` at the probes; levels[l] has

@@ -48,7 +48,8 @@ std::set<std::string> names_in(const std::filesystem::path& folder) {
 TEST(Bake, WritesWhatItReports) {
     const tests::TemporaryFolder folder;
     NoProgress progress;
-    const auto report = bake(small_panorama(), small_plan(), folder / "made" / "new", progress);
+    const auto report =
+        bake(light_of(small_panorama()), small_plan(), folder / "made" / "new", progress);
     ASSERT_TRUE(report) << report.error().message;
     std::set<std::string> expected = {"report.json", "report.txt"};
     for (const WrittenFile& file : report->files) {
@@ -65,7 +66,7 @@ TEST(Bake, WritesWhatItReports) {
 TEST(Bake, EveryFileKnowsItsSource) {
     const tests::TemporaryFolder folder;
     NoProgress progress;
-    ASSERT_TRUE(bake(small_panorama(), small_plan(), folder.path(), progress));
+    ASSERT_TRUE(bake(light_of(small_panorama()), small_plan(), folder.path(), progress));
     for (const char* name : {"specular.ktx2", "irradiance.ktx2"}) {
         const auto texture = read_ktx2(folder / name);
         ASSERT_TRUE(texture);
@@ -81,20 +82,32 @@ TEST(Bake, LeavesThePictureOutOnRequest) {
     NoProgress progress;
     BakePlan plan = small_plan();
     plan.picture = false;
-    ASSERT_TRUE(bake(small_panorama(), plan, folder.path(), progress));
+    ASSERT_TRUE(bake(light_of(small_panorama()), plan, folder.path(), progress));
     EXPECT_FALSE(exists(folder / "contact.png"));
+}
+
+TEST(Bake, WithoutProbesReportsNoFiguresButBounds) {
+    const tests::TemporaryFolder folder;
+    NoProgress progress;
+    BakePlan plan = small_plan();
+    plan.probes = 0;
+    const auto report = bake(light_of(small_panorama()), plan, folder.path(), progress);
+    ASSERT_TRUE(report);
+    EXPECT_EQ(report_json(*report).find("rel_rms"), std::string::npos);
+    EXPECT_NE(report_json(*report).find("error_bound"), std::string::npos);
+    EXPECT_NE(report_text(*report).find(", bound "), std::string::npos);
 }
 
 TEST(Bake, WritesNothingForAPlanThatCannotWork) {
     const tests::TemporaryFolder folder;
     NoProgress progress;
     BakePlan plans[4] = {small_plan(), small_plan(), small_plan(), small_plan()};
-    plans[0].probes = 0;
+    plans[0].probes = -1;
     plans[1].specular.levels = 9;
     plans[2].filter.method = "guess";
     plans[3].format = PixelFormat::rg16f;
     for (const BakePlan& plan : plans) {
-        const auto report = bake(small_panorama(), plan, folder / "new", progress);
+        const auto report = bake(light_of(small_panorama()), plan, folder / "new", progress);
         ASSERT_FALSE(report);
         EXPECT_EQ(report.error().kind, ErrorKind::bad_argument) << report.error().message;
         EXPECT_TRUE(names_in(folder.path()).empty());
@@ -117,7 +130,8 @@ TEST(Bake, WritesNothingWhenCancelled) {
     const tests::TemporaryFolder folder;
     for (const int steps : {0, 1, 50, 100}) {
         CancelAfter progress(steps);
-        const auto report = bake(small_panorama(), small_plan(), folder / "new", progress);
+        const auto report =
+            bake(light_of(small_panorama()), small_plan(), folder / "new", progress);
         ASSERT_FALSE(report) << steps;
         EXPECT_EQ(report.error().kind, ErrorKind::interrupted);
         EXPECT_TRUE(names_in(folder.path()).empty());

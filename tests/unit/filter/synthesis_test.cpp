@@ -94,7 +94,8 @@ TEST(Interpolation, CubicsAreExactOnEverySideOfTheSphere) {
     const auto cubic = [](double x, double y) { return 0.01 * x * x * x - y * y + 3 * x * y; };
     for (int ring = -3; ring < rings + 3; ++ring)
         for (int column = -3; column < columns + 3; ++column)
-            grid.point(ring, column)[1] = float(cubic(column, ring));
+            for (int c = 0; c < 4; ++c)
+                grid.point(ring, column)[c] = float(c) * float(cubic(column, ring));
     for (int i = 0; i < 500; ++i) {
         const double u = std::fmod(0.618034 * i, 1.0), v = (i + 0.5) / 500;
         const double truth = cubic(u * columns, v * rings - 0.5);
