@@ -20,28 +20,22 @@ Result<Light> load_all(const std::filesystem::path& path, const PanoramaOptions&
     return light_of(*panorama, use.tables);
 }
 
-// Whether the chain begins with the mirror image.
-bool has_mirror(const LevelsPlan& plan) {
-    return plan.specular &&
-           roughness_of_levels(plan.specular->roughness, plan.specular->levels)[0] == 0;
-}
-
 // What is built from the rows of a panorama as they come.
 struct Builders {
     SpectrumBuilder spectrum;
-    std::optional<AreaFilterBuilder> mirror;
+    std::vector<AreaFilterBuilder> mirrors;
     EnvironmentBuilder environment;
 
     Builders(int height, int bands, const LightUse& use)
         : spectrum(height, bands), environment(height, most_rows_kept / 4) {
-        if (has_mirror(use.levels))
-            mirror.emplace(use.tables->area_geometry(height, use.levels.specular->face_size,
-                                                     panorama_from_cube(use.levels.orientation)));
+        for (const int face_size : mirror_sizes(use.levels))
+            mirrors.emplace_back(use.tables->area_geometry(
+                height, face_size, panorama_from_cube(use.levels.orientation)));
     }
 
     void add(int row_count, const float* rgb) {
         spectrum.add_rows(row_count, rgb, 3);
-        if (mirror) mirror->add_rows(row_count, rgb, 3);
+        for (AreaFilterBuilder& mirror : mirrors) mirror.add_rows(row_count, rgb, 3);
         environment.add_rows(row_count, rgb, 3);
     }
 };
@@ -58,7 +52,8 @@ Result<Light> stream(const std::filesystem::path& path, const PanoramaOptions& o
     if (!panorama) return panorama.error();
     Light light{std::move(builders->environment).finish(), use.tables};
     light.spectrum = builders->spectrum.finish();
-    if (builders->mirror) light.mirror = std::move(*builders->mirror).finish();
+    for (AreaFilterBuilder& mirror : builders->mirrors)
+        light.mirrors.push_back(std::move(mirror).finish());
     light.source = source_facts(*panorama);
     light.width = 2 * height;
     light.height = height;
@@ -78,7 +73,7 @@ std::optional<int> bands_of(const LightUse& use) {
 FilterSource Light::filter_source() const {
     FilterSource filtered(environment, tables);
     filtered.spectrum = spectrum ? &*spectrum : nullptr;
-    filtered.mirror = mirror ? &*mirror : nullptr;
+    filtered.mirrors = mirrors;
     return filtered;
 }
 

@@ -21,7 +21,7 @@ struct Light {
 
     /// Where the panorama was streamed, and `environment` is only an average of it to look at.
     std::optional<Spectrum> spectrum{};
-    std::optional<Cubemap> mirror{};
+    std::vector<Cubemap> mirrors{};
 
     SourceFacts source{};
     int width = 0;  ///< of the panorama

@@ -41,17 +41,24 @@ Result<FilterMethod> method_of(const LevelsPlan& plan) {
     return find_filter_method(plan.filter.method, plan.specular ? LobeKind::ggx : LobeKind::cosine);
 }
 
-Result<FilteredCubemap> mirror_level(const FilterSource& source, int face_size,
-                                     const Mat3d& panorama_from_cube, Progress& progress) {
-    const LevelAccount account{.method = "mirror"};
-    if (source.mirror && source.mirror->face_size == face_size) {
+Result<Cubemap> mirror_image(const FilterSource& source, int face_size,
+                             const Mat3d& panorama_from_cube, Progress& progress) {
+    const auto made = std::ranges::find(source.mirrors, face_size, &Cubemap::face_size);
+    if (made != source.mirrors.end()) {
         progress.advance(face_count * face_size);
-        return FilteredCubemap{*source.mirror, account};
+        return *made;
     }
     const auto geometry =
         source.tables->area_geometry(source.environment.height(), face_size, panorama_from_cube);
-    auto cubemap = area_filtered_cubemap(source.environment, geometry, progress);
+    return area_filtered_cubemap(source.environment, geometry, progress);
+}
+
+Result<FilteredCubemap> mirror_level(const FilterSource& source, int face_size,
+                                     const Mat3d& panorama_from_cube, Progress& progress) {
+    auto cubemap = mirror_image(source, face_size, panorama_from_cube, progress);
     if (!cubemap) return cubemap.error();
+    LevelAccount account{.method = "mirror"};
+    account.clamped_negative = clamp_negative(cubemap->texels);
     return FilteredCubemap{std::move(*cubemap), account};
 }
 
@@ -95,6 +102,13 @@ std::vector<Lobe> lobes_of(const LevelsPlan& plan) {
     for (const Job& job : jobs_of(plan))
         if (!is_mirror(job)) lobes.push_back(job.lobe);
     return lobes;
+}
+
+std::vector<int> mirror_sizes(const LevelsPlan& plan) {
+    std::vector<int> sizes;
+    for (const Job& job : jobs_of(plan))
+        if (is_mirror(job)) sizes.push_back(job.face_size);
+    return sizes;
 }
 
 Result<AssetLevels> filter_levels(const FilterSource& source, const LevelsPlan& plan,

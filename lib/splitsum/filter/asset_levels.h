@@ -33,6 +33,9 @@ Status validate(const LevelsPlan& plan);
 /// The lobes that the levels of the plan are filtered with, in order, without those of roughness 0.
 std::vector<Lobe> lobes_of(const LevelsPlan& plan);
 
+/// The face sizes of the levels of roughness 0.
+std::vector<int> mirror_sizes(const LevelsPlan& plan);
+
 /// Filters every level of the plan. Levels of roughness 0 are the area-filtered mirror image,
 /// whatever the method. The bits do not depend on the number of threads.
 ///

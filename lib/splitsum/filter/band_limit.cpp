@@ -41,9 +41,12 @@ std::optional<int> bands_for_point_light(FilterTables& tables, const Lobe& lobe,
 
 double negligible_factor(double total_power, double mean_power, double accuracy) {
     if (total_power == 0) return 1;  // black: nothing matters
-    // Factors are known to 1e-12; only light with negative parts has hardly any mean.
-    constexpr double smallest_known = 1e-11;
-    return std::max(smallest_known, accuracy * std::sqrt(mean_power / total_power));
+    // The share of the sphere that is lit is at least that of one texel, unless light has negative
+    // parts; then the factor is a guess.
+    constexpr double least_share = 1e-13;
+    const double share = mean_power / total_power;
+    constexpr double smallest_known = 1e-11;  // factors are known to 1e-12
+    return std::max(smallest_known, accuracy * (share > least_share ? std::sqrt(share) : 1e-3));
 }
 
 BandLimit band_limit(const Spectrum& spectrum, std::span<const double> factors, double accuracy) {

@@ -5,7 +5,6 @@
 #include "splitsum/base/parallel.h"
 
 namespace splitsum {
-namespace {
 
 int64_t clamp_negative(std::span<Vec3> texels) {
     int64_t clamped = 0;
@@ -17,8 +16,6 @@ int64_t clamp_negative(std::span<Vec3> texels) {
             }
     return clamped;
 }
-
-}  // namespace
 
 Result<FilteredCubemap> filter_cubemap(const PreparedFilter& filter, size_t lobe_index,
                                        int face_size, const Mat3d& panorama_from_cube,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "splitsum/filter/filter_tables.h"
 #include "splitsum/filter/spectrum.h"
@@ -22,7 +23,7 @@ struct FilterSource {
     /// Of the light itself, where `environment` is an average of it (a large panorama that was
     /// streamed); null where the environment is the light.
     const Spectrum* spectrum = nullptr;
-    const Cubemap* mirror = nullptr;  ///< the area-filtered image, for the levels of roughness 0
+    std::span<const Cubemap> mirrors{};  ///< likewise: area-filtered, one for each mirror_sizes
 };
 
 }  // namespace splitsum

@@ -84,11 +84,14 @@ LobePlan plan_lobe(FilterTables& tables, const Lobe& lobe, double negligible, do
     if (std::abs(factors.back()) <= negligible || lobe.kind != LobeKind::ggx)
         return {lobe, std::move(factors), std::nullopt};
     Lobe wide = lobe;
-    do {
-        wide.alpha *= 1.25;
-        factors = significant_factors(tables, wide, negligible, most_bands);
-    } while (std::abs(factors.back()) > negligible);
-    return {wide, std::move(factors), NarrowLobe(lobe.alpha, wide.alpha, cap_share * accuracy)};
+    for (wide.alpha *= 1.25; wide.alpha < 0.1; wide.alpha *= 1.25) {
+        auto wide_factors = significant_factors(tables, wide, negligible, most_bands);
+        if (std::abs(wide_factors.back()) <= negligible)
+            return {wide, std::move(wide_factors),
+                    NarrowLobe(lobe.alpha, wide.alpha, cap_share * accuracy)};
+    }
+    // Not narrow: its horizon leaves a little power in any band. The bound will say how much.
+    return {lobe, std::move(factors), std::nullopt};
 }
 
 FilteredLobe filter_lobe(const Spectrum& spectrum, const LobePlan& plan, double accuracy) {
