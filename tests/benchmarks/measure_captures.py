@@ -3,11 +3,10 @@
 
 Each combination of capture, method, size, curve and format is baked by splitsum-specular, in turn
 with read_only on the same file, --repeats times over; the page shows medians and ratios of one run.
-The chains are judged by splitsum-compare against exact integration. DIR gets measured.md and
-measured.json.
+The chains are judged by splitsum-compare against exact integration. The benchmark `chain` adds the
+time of filtering alone, from texels in memory. DIR gets measured.md and measured.json.
 
-Example: measure_captures.py --build build -o measured captures/*.hdr
-         measure_captures.py --build build -o measured --large 4096 8192 16384
+Example: measure_captures.py --build build -o measured --large 2048 4096 8192 16384 -- captures/*.hdr
 """
 
 import argparse
@@ -146,6 +145,29 @@ def measure(programs, chains, options, scratch):
     return results
 
 
+def in_memory(programs, captures, methods, repeats, scratch):
+    """Medians of the benchmark `chain`: 256 x 256, 7 levels, linear, on one thread and on all."""
+    if not captures:
+        return []
+    log("filtering in memory")
+    names = "|".join(re.escape(capture.name) for capture in captures)
+    out = scratch / "chain.json"
+    run([programs.helper("chain"), f"--benchmark_filter=^({names})/({'|'.join(methods)})/",
+         "--benchmark_min_time=0.2", f"--benchmark_repetitions={repeats}",
+         "--benchmark_enable_random_interleaving=true",
+         f"--benchmark_out={out}", "--benchmark_out_format=json", *captures])
+    results = {}
+    for entry in json.loads(out.read_text())["benchmarks"]:
+        if entry.get("aggregate_name", "median" if repeats == 1 else "") != "median":
+            continue
+        capture, method, threads = entry["run_name"].split("/")[:3]
+        result = results.setdefault((capture, method), {
+            "capture": pathlib.Path(capture).stem, "method": method,
+            "rel_rms": entry["rel_rms"]})
+        result["ms_1_thread" if threads == "threads:1" else "ms_all"] = entry["real_time"]
+    return list(results.values())
+
+
 def make_large(programs, widths, extension, scratch):
     """Generated panoramas of these widths."""
     made = []
@@ -223,6 +245,20 @@ def error_table(results):
     return table(["capture", "level", "r", *methods], rows)
 
 
+def in_memory_section(results):
+    """Speed-ups are those over `filtered` where it was measured."""
+    slow = {r["capture"]: r for r in results if r["method"] == "filtered"}
+    def cell(result, key):
+        rival = slow.get(result["capture"])
+        ratio = f" ({rival[key] / result[key]:.1f})" if rival else ""
+        return f"{result[key]:.1f} ms{ratio}"
+    rows = [[r["capture"], r["method"], f"{r['rel_rms']:.1e}", cell(r, "ms_1_thread"),
+             cell(r, "ms_all")] for r in results]
+    return ["## Filtering alone, from texels in memory: 256x7, linear, floats", "",
+            "In brackets: how many times faster than `filtered`.", "",
+            *table(["capture", "method", "worst rel_rms", "1 thread", "all threads"], rows)]
+
+
 def section(title, results):
     lines = [f"## {title}", "", *time_table(results)]
     if "levels" in results[0]:
@@ -238,6 +274,8 @@ def page(document):
         f"{about['load_before']} before the run; {about['samples']} samples a texel, medians of "
         f"{about['repeats']} rounds; errors at {about['probes']} texels a level against exact "
         "integration. What the figures mean: README.md beside measure_captures.py.", ""]
+    if document["in_memory"]:
+        lines += in_memory_section(document["in_memory"])
     keys = ("size", "curve", "format")
     for results in (document["chains"], document["large"]):
         groups = itertools.groupby(results, key=lambda r: tuple(r[k] for k in keys))
@@ -297,7 +335,10 @@ def collect(options, scratch):
     chains = [Chain(capture, *rest, method)
               for rest in itertools.product(options.sizes, options.curves, options.formats)
               for capture in options.captures for method in methods]
-    document = {"measured_with": about, "chains": measure(programs, chains, options, scratch)}
+    document = {"measured_with": about,
+                "in_memory": in_memory(programs, options.captures, methods, options.repeats,
+                                       scratch),
+                "chains": measure(programs, chains, options, scratch)}
 
     large = make_large(programs, options.large, options.large_format, scratch)
     first = (options.sizes[0], options.curves[0], options.formats[0])

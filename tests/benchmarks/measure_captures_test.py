@@ -46,6 +46,15 @@ class MeasureCaptures(unittest.TestCase):
                                  for f in ("rgba16f", "rgba32f")})
         self.assertEqual([r["capture"] for r in self.document["large"]], 2 * ["generated_64"])
 
+    def test_filtering_alone_is_timed_on_one_thread_and_on_all(self):
+        found = {r["method"]: r for r in self.document["in_memory"]}
+        self.assertEqual(set(found), {"filtered", "importance"})
+        for result in found.values():
+            self.assertGreater(result["ms_1_thread"], 0)
+            self.assertGreater(result["ms_all"], 0)
+            self.assertGreater(result["rel_rms"], 0)
+        self.assertRegex(self.page, r"\| filtered \| .* ms \(1\.0\)")
+
     def test_the_figures_are_of_the_right_asset(self):
         for result in self.document["chains"]:
             roughness = [level["perceptual_roughness"] for level in result["levels"]]
@@ -64,7 +73,8 @@ class MeasureCaptures(unittest.TestCase):
 
     def test_the_page_has_a_row_for_every_level(self):
         rows = [line for line in self.page.splitlines() if line.startswith(f"| {PANORAMA.stem} |")]
-        self.assertEqual(len(rows), 2 * (2 + 4))  # formats times (methods and levels)
+        # Formats times (methods and levels), and methods in memory.
+        self.assertEqual(len(rows), 2 * (2 + 4) + 2)
 
     def test_all_methods_are_measured_unless_some_are_named(self):
         with tempfile.TemporaryDirectory() as folder:
