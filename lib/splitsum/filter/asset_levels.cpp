@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "splitsum/base/parallel.h"
 #include "splitsum/filter/filter_cubemap.h"
 #include "splitsum/filter/methods.h"
 #include "splitsum/sphere/area_filter.h"
@@ -11,27 +12,32 @@
 namespace splitsum {
 namespace {
 
-// One cubemap to make, in the order in which they are made.
+// One cubemap to make.
 struct Job {
     Lobe lobe;
     int face_size;
+    size_t lobe_index = 0;   // among the lobes, if it is not the mirror image
+    uint32_t first_key = 0;  // as of Directions: no two texels of the jobs have the same
 };
 
-std::vector<Job> specular_jobs(const SpecularPlan& plan) {
-    std::vector<Job> jobs;
-    for (const double r : roughness_of_levels(plan.roughness, plan.levels))
-        jobs.push_back({{LobeKind::ggx, r * r}, std::max(1, plan.face_size >> jobs.size())});
-    return jobs;
-}
+bool is_mirror(const Job& job) { return job.lobe.kind == LobeKind::ggx && job.lobe.alpha == 0; }
 
 std::vector<Job> jobs_of(const LevelsPlan& plan) {
     std::vector<Job> jobs;
-    if (plan.specular) jobs = specular_jobs(*plan.specular);
+    if (plan.specular)
+        for (const double r : roughness_of_levels(plan.specular->roughness, plan.specular->levels))
+            jobs.push_back(
+                {{LobeKind::ggx, r * r}, std::max(1, plan.specular->face_size >> jobs.size())});
     if (plan.irradiance) jobs.push_back({{LobeKind::cosine}, plan.irradiance->face_size});
+    size_t lobes = 0;
+    uint32_t texels = 0;
+    for (Job& job : jobs) {
+        job.lobe_index = is_mirror(job) ? 0 : lobes++;
+        job.first_key = texels;
+        texels += uint32_t(face_count * job.face_size * job.face_size);
+    }
     return jobs;
 }
-
-bool is_mirror(const Job& job) { return job.lobe.kind == LobeKind::ggx && job.lobe.alpha == 0; }
 
 // The method, able to filter everything the plan asks for.
 Result<FilterMethod> method_of(const LevelsPlan& plan) {
@@ -62,25 +68,38 @@ Result<FilteredCubemap> mirror_level(const FilterSource& source, int face_size,
     return FilteredCubemap{std::move(*cubemap), account};
 }
 
+// The mirror image beside the transform, then all levels at once: small levels alone would leave
+// most threads idle.
 Result<std::vector<FilteredCubemap>> run(const std::vector<Job>& jobs, const FilterMethod& method,
                                          const FilterSource& source, const LevelsPlan& plan,
                                          Progress& progress) {
     int rows = 0;
     for (const Job& job : jobs) rows += face_count * job.face_size;
     progress.begin("filtering", rows);
-    const auto filter = method.prepare(source, lobes_of(plan), plan.filter);
     const Mat3d panorama_from_cube = splitsum::panorama_from_cube(plan.orientation);
+    std::vector<std::optional<Result<FilteredCubemap>>> made(jobs.size());
+    const auto for_each = [&](bool mirrors, const auto& make) {
+        parallel_rows(int(jobs.size()), [&](int i) {
+            if (is_mirror(jobs[size_t(i)]) == mirrors) made[size_t(i)] = make(jobs[size_t(i)]);
+        });
+    };
+    const auto make_mirrors = [&] {
+        for_each(true, [&](const Job& job) {
+            return mirror_level(source, job.face_size, panorama_from_cube, progress);
+        });
+    };
+    const auto make_others = [&] {
+        const auto filter = method.prepare(source, lobes_of(plan), plan.filter);
+        for_each(false, [&](const Job& job) {
+            return filter_cubemap(*filter, job.lobe_index, job.face_size, panorama_from_cube,
+                                  job.first_key, progress);
+        });
+    };
+    run_both(make_others, make_mirrors);
     std::vector<FilteredCubemap> levels;
-    size_t lobe = 0;
-    uint32_t first_key = 0;
-    for (const Job& job : jobs) {
-        auto level = is_mirror(job)
-                         ? mirror_level(source, job.face_size, panorama_from_cube, progress)
-                         : filter_cubemap(*filter, lobe++, job.face_size, panorama_from_cube,
-                                          first_key, progress);
-        if (!level) return level.error();
-        first_key += uint32_t(level->cubemap.texels.size());
-        levels.push_back(std::move(*level));
+    for (auto& level : made) {
+        if (!*level) return level->error();
+        levels.push_back(std::move(**level));
     }
     return levels;
 }
