@@ -43,10 +43,11 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& val
         ->check(one_of(choices));
 }
 
-std::vector<Choice> formats_with(int channels) {
+std::vector<Choice> formats_for(EncodingOptions::Content content) {
     std::vector<Choice> choices;
+    const auto holds = content == EncodingOptions::Content::table ? holds_tables : holds_colours;
     for (const PixelFormatInfo& format : pixel_formats())
-        if (format.channels == channels) choices.push_back({format.name, format.summary});
+        if (holds(format)) choices.push_back({format.name, format.summary});
     return choices;
 }
 
@@ -173,9 +174,9 @@ std::string container_endings() {
     return join(containers(), " or ", [](const Container& c) { return c.extension; });
 }
 
-EncodingOptions::EncodingOptions(CLI::App& app, int channels, const std::string& prefix)
-    : format_(channels == 2 ? "rg16f" : "rgba16f") {
-    add_choice(app, cat("--", prefix, "format"), format_, formats_with(channels),
+EncodingOptions::EncodingOptions(CLI::App& app, Content content, const std::string& prefix)
+    : format_(content == Content::table ? "rg16f" : "rgba16f") {
+    add_choice(app, cat("--", prefix, "format"), format_, formats_for(content),
                "how a texel is stored in a .ktx2 file");
     auto* zstd = app.add_flag(cat("--", prefix, "zstd"), container_.ktx2.zstd,
                               "supercompress a .ktx2 file with Zstandard");

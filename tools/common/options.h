@@ -113,8 +113,11 @@ std::string container_endings();
 
 /// How the texels are stored: --format, --zstd, --zstd-level.
 struct EncodingOptions {
-    /// `channels` tells which formats fit: 3 for cubemaps, 2 for tables; `prefix` as above.
-    EncodingOptions(CLI::App& app, int channels, const std::string& prefix = "");
+    /// Which formats there are to choose from.
+    enum class Content { cubemap, table };
+
+    /// `prefix` as above.
+    EncodingOptions(CLI::App& app, Content content, const std::string& prefix = "");
     EncodingOptions(const EncodingOptions&) = delete;
 
     PixelFormat format() const;

@@ -57,7 +57,7 @@ Result<BakedTable> write_table(const BatchOptions& options, const fs::path& fold
     if (const Status written = write_texture(asset->texture, path, options.encoding.container());
         !written)
         return written.error();
-    return BakedTable{path, asset->max_abs};
+    return BakedTable{path, asset->check.at_texels};
 }
 
 double worst_rel_rms(const BakeReport& report) {
@@ -138,7 +138,7 @@ BatchOptions::BatchOptions(CLI::App& app)
       table(app, "table-"),
       orientation(app),
       filter(app, methods_for(LobeKind::ggx)),
-      encoding(app, 3),
+      encoding(app, EncodingOptions::Content::cubemap),
       json(app) {
     app.add_option("--probes", probes,
                    "texels per level whose error against exact integration is measured (default "

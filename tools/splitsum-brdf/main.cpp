@@ -16,13 +16,13 @@ namespace {
 void print_result(const TableAsset& asset, const std::filesystem::path& path, bool json) {
     if (json)
         std::cout << nlohmann::ordered_json{{"file", path.string()},
-                                            {"max_abs", asset.max_abs},
-                                            {"probes", asset.probes}}
+                                            {"max_abs", asset.check.at_texels},
+                                            {"probes", asset.check.texels}}
                          .dump(2)
                   << "\n";
     else
         std::cout << path.string() << ": max_abs " << std::scientific << std::setprecision(2)
-                  << asset.max_abs << " at " << asset.probes << " probe texels\n";
+                  << asset.check.at_texels << " at " << asset.check.texels << " probe texels\n";
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
         "splitsum-brdf");
     app.footer("Example: splitsum-brdf -o brdf.ktx2 --size 256");
     const tools::TableOptions table(app);
-    const tools::EncodingOptions encoding(app, 2);
+    const tools::EncodingOptions encoding(app, tools::EncodingOptions::Content::table);
     const tools::OutputOptions output(app, "FILE", "the table as " + tools::container_endings());
     const tools::JsonOption json(app);
 

@@ -1,72 +1,75 @@
 #include "splitsum/assets/table_asset.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "splitsum/base/parallel.h"
-#include "splitsum/math/low_discrepancy.h"
+#include "splitsum/base/text.h"
 #include "splitsum/report/asset_facts.h"
-#include "splitsum/table/split_sum.h"
-#include "splitsum/table/split_sum_exact.h"
 
 namespace splitsum {
 namespace {
 
-struct Texel {
-    int x, y;
-};
-
-// The corners and edges, where tables fail, and Hammersley points inside.
-std::vector<Texel> probe_texels(int size) {
-    constexpr int along_edge = 9, inside = 64;
-    std::vector<Texel> texels;
-    for (int i = 0; i < along_edge; ++i) {
-        const int at = (size - 1) * i / (along_edge - 1);
-        for (const Texel texel :
-             {Texel{at, 0}, Texel{at, size - 1}, Texel{0, at}, Texel{size - 1, at}})
-            texels.push_back(texel);
-    }
-    for (int i = 0; i < inside; ++i) {
-        const Vec2d point = hammersley(uint32_t(i), inside);
-        texels.push_back({int(point.x * size), int(point.y * size)});
-    }
-    return texels;
+Status check_format(const TableKind& kind, const PixelFormatInfo& format) {
+    if (holds_tables(format) && format.channels >= kind.channels()) return ok;
+    std::vector<std::string_view> usable;
+    for (const PixelFormatInfo& other : pixel_formats())
+        if (holds_tables(other) && other.channels >= kind.channels()) usable.push_back(other.name);
+    return Error{ErrorKind::bad_argument, cat("the table '", kind.name, "' has ", kind.channels(),
+                                              " channels, which the format ", format.name,
+                                              " cannot hold; usable are ", join(usable, ", "))};
 }
 
-double error_at(const Table& table, const Texel& texel, SmithTerm geometry) {
-    const double n_dot_v = (texel.x + 0.5) / table.width;
-    const double perceptual_roughness = (texel.y + 0.5) / table.height;
-    const SplitSum exact =
-        split_sum_exact(geometry, n_dot_v, perceptual_roughness * perceptual_roughness);
-    const Vec2 stored = table.texels[size_t(texel.y) * size_t(table.width) + size_t(texel.x)];
-    return std::max(std::abs(double(stored.x) - exact.a), std::abs(double(stored.y) - exact.b));
+// What an engine reads, without the channels that the format adds.
+Table read_back(const TextureAsset& texture, const Table& original) {
+    Table table = blank_table(texture.width, texture.height, original.channels, original.layers);
+    decode_texels(texture.format, original.channels, texture.levels.front(), table.values);
+    return table;
 }
 
-double worst_error(const Table& table, SmithTerm geometry, const std::vector<Texel>& texels) {
-    std::vector<double> errors(texels.size());
-    parallel_rows(int(texels.size()),
-                  [&](int i) { errors[size_t(i)] = error_at(table, texels[size_t(i)], geometry); });
-    return *std::ranges::max_element(errors);
+Result<TableAsset> encoded(const TableKind& kind, const TablePlan& plan, PixelFormat format,
+                           const Table& table) {
+    EncodeCounts counts;
+    TableAsset asset{kind, plan, {}, texture_from_table(table, format, counts), {}};
+    if (counts.saturated + counts.negative > 0)
+        return Error{ErrorKind::bad_argument,
+                     cat(counts.saturated + counts.negative, " values of the table '", kind.name,
+                         "' lie outside of what the format ", info_of(format).name,
+                         " can hold; rg16f, rg32f, rgba16f and rgba32f hold more")};
+    asset.table = read_back(asset.texture, table);
+    return asset;
+}
+
+AssetFacts facts_of_table(const TableAsset& asset) {
+    AssetFacts facts;
+    facts.kind = AssetFacts::Kind::table;
+    facts.table.plan = asset.plan;
+    facts.table.value = asset.kind.value;
+    facts.table.view_axis = asset.kind.view_axis == ViewAxis::cosine ? "n.v" : "sqrt(1 - n.v)";
+    facts.table.has_geometry = asset.kind.has_geometry;
+    facts.table.max_abs = asset.check.at_texels;
+    facts.table.max_abs_between = asset.check.between;
+    return facts;
+}
+
+// A table of a size that is a number.
+Result<TableAsset> bake_sized(const TableKind& kind, const TablePlan& plan, PixelFormat format,
+                              const TableProbes& probes, Progress& progress) {
+    const auto canonical = kind.bake(plan, grid_of(plan, kind.view_axis), progress);
+    if (!canonical) return canonical.error();
+    auto asset = encoded(kind, plan, format, arranged(*canonical, plan));
+    if (!asset) return asset.error();
+    asset->check = check_table(kind, plan, asset->table, probes);
+    asset->texture.metadata = metadata_of(facts_of_table(*asset));
+    return asset;
 }
 
 }  // namespace
 
 Result<TableAsset> bake_table(const TablePlan& plan, PixelFormat format, Progress& progress) {
-    const auto table = split_sum_table(plan, progress);
-    if (!table) return table.error();
-    EncodeCounts counts;  // nothing in a table reaches the limits of a format
-    TableAsset asset{texture_from_table(*table, format, counts)};
-    AssetFacts facts;
-    facts.kind = AssetFacts::Kind::split_sum;
-    facts.table = plan;
-    asset.texture.metadata = metadata_of(facts);
-
-    const auto stored = table_of(asset.texture);
-    if (!stored) return stored.error();
-    const std::vector<Texel> probes = probe_texels(plan.size);
-    asset.max_abs = worst_error(*stored, plan.geometry, probes);
-    asset.probes = int(probes.size());
-    return asset;
+    if (const Status valid = validate(plan); !valid) return valid.error();
+    const auto kind = kind_of(plan);
+    if (!kind) return kind.error();
+    if (const Status fits = check_format(*kind, info_of(format)); !fits) return fits.error();
+    return bake_sized(*kind, plan, format, {}, progress);
 }
 
 }  // namespace splitsum
