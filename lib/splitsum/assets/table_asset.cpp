@@ -50,6 +50,10 @@ AssetFacts facts_of_table(const TableAsset& asset) {
     return facts;
 }
 
+TableProbes probes_of(const TableKind& kind) {
+    return {.texels = kind.probes / 2, .points = kind.probes};
+}
+
 // A table of a size that is a number.
 Result<TableAsset> bake_sized(const TableKind& kind, const TablePlan& plan, PixelFormat format,
                               const TableProbes& probes, Progress& progress) {
@@ -69,7 +73,7 @@ Result<TableAsset> bake_table(const TablePlan& plan, PixelFormat format, Progres
     const auto kind = kind_of(plan);
     if (!kind) return kind.error();
     if (const Status fits = check_format(*kind, info_of(format)); !fits) return fits.error();
-    return bake_sized(*kind, plan, format, {}, progress);
+    return bake_sized(*kind, plan, format, probes_of(*kind), progress);
 }
 
 }  // namespace splitsum

@@ -55,10 +55,10 @@ struct TablePlan {
     /// Asks for the smallest power of two that meets `accuracy` between texels as well.
     static constexpr int automatic_size = 0;
 
-    std::string kind = "ggx";     ///< a name from table_kinds()
-    std::string method = "vndf";  ///< a name from split_sum_methods()
-    int size = 512;               ///< texels along an edge, in [1, 8192], or automatic_size
-    int samples = 1024;           ///< points per texel; of the methods that sample
+    std::string kind = "ggx";           ///< a name from table_kinds()
+    std::string method = "quadrature";  ///< a name from split_sum_methods()
+    int size = 512;                     ///< texels along an edge, in [1, 8192], or automatic_size
+    int samples = 1024;                 ///< points per texel; of the methods that sample
     /// The largest error that the stored table may have (max_abs), in [1e-7, 0.1]: at its texels,
     /// and between them too where the size is automatic. Without one, the quadrature is converged
     /// to default_accuracy and the format rounds as it does.
@@ -70,9 +70,8 @@ struct TablePlan {
     bool flip = false;  ///< rows from 1 down to 0 instead of from 0 up to 1
 };
 
-/// What a quadrature is converged to when nothing is asked for: below the rounding of a float's
-/// neighbourhood of 1, times a few.
-inline constexpr double default_table_accuracy = 5e-7;
+/// What a quadrature is converged to when nothing is asked for: about the rounding of floats near 1.
+inline constexpr double default_table_accuracy = 1e-7;
 
 /// The sizes that automatic_size chooses among: powers of two between these.
 inline constexpr int smallest_automatic_size = 8;

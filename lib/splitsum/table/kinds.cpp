@@ -12,6 +12,8 @@ namespace {
 constexpr std::string_view ggx_channels[] = {"scale", "bias"};
 constexpr std::string_view multiscatter_channels[] = {"bias", "albedo"};
 
+constexpr std::string_view energy_channels[] = {"albedo", "average_albedo"};
+
 constexpr TableKind kinds[] = {
     {.name = "ggx",
      .summary = "(a, b) of the split sum: albedo = F0 a + b (Karis 2013)",
@@ -25,6 +27,13 @@ constexpr TableKind kinds[] = {
      .channel_names = multiscatter_channels,
      .bake = bake_ggx_multiscatter,
      .error_of = error_of_ggx_multiscatter},
+    {.name = "energy",
+     .summary = "(E, E_avg): albedo for F = 1 and its average (Kulla & Conty 2017)",
+     .value = "red = E(n.v, r) of a perfect reflector; green = E_avg(r) = 2 integral E mu dmu",
+     .channel_names = energy_channels,
+     .probes = 24,
+     .bake = bake_energy,
+     .error_of = error_of_energy},
 };
 
 }  // namespace

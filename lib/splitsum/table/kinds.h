@@ -24,6 +24,7 @@ struct TableKind {
     ViewAxis view_axis = ViewAxis::cosine;
     bool has_geometry = true;     ///< whether TablePlan::geometry matters
     bool has_methods = true;      ///< whether it can be computed by every split_sum_methods()
+    int probes = 128;             ///< points a self-check judges; fewer where judging one is slow
     bool is_closed_form = false;  ///< a formula, written as source and never as a texture
 
     int channels() const { return static_cast<int>(channel_names.size()) / layers; }

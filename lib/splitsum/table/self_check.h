@@ -16,7 +16,7 @@ struct TableCheck {
 
 /// How many of each.
 struct TableProbes {
-    int along_edge = 9;  ///< texels along each edge
+    int along_edge = 5;  ///< texels along each edge
     int texels = 64;     ///< Hammersley points inside, rounded to texels
     int points = 128;    ///< Hammersley points of [0, 1]², clamp-to-edge as an engine reads them
 };

@@ -5,12 +5,15 @@
 
 #include "splitsum/base/text.h"
 #include "splitsum/table/split_sum_importance.h"
+#include "splitsum/table/split_sum_quadrature.h"
 #include "splitsum/table/split_sum_vndf.h"
 
 namespace splitsum {
 namespace {
 
-constexpr std::array<SplitSumMethod, 2> methods = {{
+constexpr std::array<SplitSumMethod, 3> methods = {{
+    {"quadrature", "Gauss rules that end at the horizon, exact to --accuracy", false,
+     split_sums_by_quadrature},
     {"vndf", "samples of the normals that the viewer sees (Heitz 2018)", true,
      split_sums_by_visible_normals},
     {"importance", "samples of all normals, as tables in circulation are baked (Karis 2013)", true,
