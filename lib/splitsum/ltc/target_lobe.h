@@ -41,7 +41,8 @@ public:
     double sampling_pdf(const Vec3d& light) const;
 
     /// Gauss-Legendre nodes in the square that those directions are mapped from, `count` along each
-    /// side, over the half y >= 0: twice the sum is the integral of an even function.
+    /// side, over the half y >= 0: twice the sum is the integral of an even function, to about 1e-3
+    /// with 40 nodes a side (the horizon cuts through the square).
     std::vector<LobeNode> nodes(int count) const;
 
     /// GGX width, perceptual roughness squared and never 0.
