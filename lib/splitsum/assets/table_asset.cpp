@@ -27,15 +27,19 @@ Table read_back(const TextureAsset& texture, const Table& original) {
 
 Result<TableAsset> encoded(const TableKind& kind, const TablePlan& plan, PixelFormat format,
                            const Table& table) {
+    constexpr float rounding = 1e-5F;  // 1 + that is 1, not a value that does not fit
     EncodeCounts counts;
     TableAsset asset{kind, plan, {}, texture_from_table(table, format, counts), {}};
-    if (counts.saturated + counts.negative > 0)
-        return Error{ErrorKind::bad_argument,
-                     cat(counts.saturated + counts.negative, " values of the table '", kind.name,
-                         "' lie outside of what the format ", info_of(format).name,
-                         " can hold; rg16f, rg32f, rgba16f and rgba32f hold more")};
     asset.table = read_back(asset.texture, table);
-    return asset;
+    if (counts.saturated + counts.negative == 0) return asset;
+    const PixelFormatInfo& info = info_of(format);
+    const auto [least, largest] = std::ranges::minmax(table.values);
+    if (largest <= info.largest[0] + rounding && (info.holds_negative || least >= -rounding))
+        return asset;
+    return Error{ErrorKind::bad_argument,
+                 cat("the table '", kind.name, "' has values from ", least, " to ", largest,
+                     ", which the format ", info.name,
+                     " cannot hold; rg16f, rg32f, rgba16f and rgba32f hold more")};
 }
 
 AssetFacts facts_of_table(const TableAsset& asset) {
@@ -66,6 +70,53 @@ Result<TableAsset> bake_sized(const TableKind& kind, const TablePlan& plan, Pixe
     return asset;
 }
 
+double worst_of(const TableCheck& check) { return std::max(check.at_texels, check.between); }
+
+// What else the user could ask for.
+std::string advice(const TablePlan& plan, PixelFormat format) {
+    std::string text = "a larger --accuracy";
+    if (plan.layout == TexelLayout::centre)
+        text += ", --layout edge (centre holds the value within half a texel of the border)";
+    const PixelFormatInfo& info = info_of(format);
+    if (info.bytes_per_texel < 4 * info.channels)
+        text += cat(", --format ", info.channels == 2 ? "rg32f" : "rgba32f");
+    if (plan.method != TablePlan{}.method) text += cat(", --method ", TablePlan{}.method);
+    return text;
+}
+
+// Four times as many points decide about a size, once the usual ones are met.
+Result<TableAsset> bake_automatic(const TableKind& kind, const TablePlan& plan, PixelFormat format,
+                                  Progress& progress) {
+    TablePlan sized = plan;
+    std::string reached;
+    for (int size = smallest_automatic_size; size <= largest_automatic_size; size *= 2) {
+        sized.size = size;
+        auto asset = bake_sized(kind, sized, format, probes_of(kind), progress);
+        if (!asset) return asset;
+        TableProbes probes = probes_of(kind);
+        probes.points *= 4;
+        if (worst_of(asset->check) <= *plan.accuracy)
+            asset = bake_sized(kind, sized, format, probes, progress);
+        if (!asset || worst_of(asset->check) <= *plan.accuracy) return asset;
+        reached = cat("size ", size, " reaches ", worst_of(asset->check));
+    }
+    return Error{
+        ErrorKind::bad_argument,
+        cat("no size from ", smallest_automatic_size, " to ", largest_automatic_size,
+            " brings the table '", kind.name, "' within ", *plan.accuracy,
+            " at texels and between them: ", reached, "; what helps is ", advice(plan, format))};
+}
+
+// The accuracy that was asked for, at texels.
+Status check_accuracy(const TableAsset& asset) {
+    if (!asset.plan.accuracy || asset.check.at_texels <= *asset.plan.accuracy) return ok;
+    return Error{ErrorKind::bad_argument,
+                 cat("the table '", asset.kind.name, "' misses the accuracy ", *asset.plan.accuracy,
+                     ": max_abs is ", asset.check.at_texels, " with ", asset.plan.method, " in ",
+                     info_of(asset.texture.format).name, "; what helps is ",
+                     advice(asset.plan, asset.texture.format))};
+}
+
 }  // namespace
 
 Result<TableAsset> bake_table(const TablePlan& plan, PixelFormat format, Progress& progress) {
@@ -73,7 +124,12 @@ Result<TableAsset> bake_table(const TablePlan& plan, PixelFormat format, Progres
     const auto kind = kind_of(plan);
     if (!kind) return kind.error();
     if (const Status fits = check_format(*kind, info_of(format)); !fits) return fits.error();
-    return bake_sized(*kind, plan, format, probes_of(*kind), progress);
+    if (plan.size == TablePlan::automatic_size)
+        return bake_automatic(*kind, plan, format, progress);
+    auto asset = bake_sized(*kind, plan, format, probes_of(*kind), progress);
+    if (!asset) return asset;
+    if (const Status met = check_accuracy(*asset); !met) return met.error();
+    return asset;
 }
 
 }  // namespace splitsum

@@ -30,6 +30,9 @@ constexpr std::array<NamedValue<RoughnessAxis>, 2> roughness_units = {{
 }};
 
 Status check_size(const TablePlan& plan) {
+    if (plan.size == TablePlan::automatic_size && !plan.accuracy)
+        return Error{ErrorKind::bad_argument,
+                     "an automatic size needs an accuracy to meet, such as 1e-3; none was given"};
     if (plan.size == TablePlan::automatic_size) return ok;
     if (plan.size < 1 || plan.size > largest_table)
         return Error{ErrorKind::bad_argument, cat("the size of the table must be from 1 to ",

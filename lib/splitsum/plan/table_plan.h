@@ -49,6 +49,14 @@ std::string_view name_of(std::span<const NamedValue<Value>> rows, Value value) {
     return rows.front().name;
 }
 
+/// The value with that name, if any.
+template <class Value>
+std::optional<Value> value_named(std::span<const NamedValue<Value>> rows, std::string_view name) {
+    for (const NamedValue<Value>& row : rows)
+        if (row.name == name) return row.value;
+    return std::nullopt;
+}
+
 /// A table that a renderer looks up: which one, how exactly, where its texels sit. Pure data: equal
 /// plans give equal bits.
 struct TablePlan {

@@ -116,8 +116,7 @@ public:
     template <class Value>
     Value named(const std::string& key, std::span<const NamedValue<Value>> rows) {
         const std::string name = text(key);
-        for (const NamedValue<Value>& row : rows)
-            if (row.name == name) return row.value;
+        if (const auto value = value_named(rows, name)) return *value;
         if (problem_.empty())
             problem_ = cat("the file says '", name, "' for '", key, "'; known are ",
                            join(rows, ", ", [](const auto& row) { return row.name; }));

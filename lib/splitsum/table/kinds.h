@@ -22,10 +22,9 @@ struct TableKind {
     std::span<const std::string_view> channel_names;
     int layers = 1;
     ViewAxis view_axis = ViewAxis::cosine;
-    bool has_geometry = true;     ///< whether TablePlan::geometry matters
-    bool has_methods = true;      ///< whether it can be computed by every split_sum_methods()
-    int probes = 128;             ///< points a self-check judges; fewer where judging one is slow
-    bool is_closed_form = false;  ///< a formula, written as source and never as a texture
+    bool has_geometry = true;  ///< whether TablePlan::geometry matters
+    bool has_methods = true;   ///< whether it can be computed by every split_sum_methods()
+    int probes = 128;          ///< points a self-check judges; fewer where judging one is slow
 
     int channels() const { return static_cast<int>(channel_names.size()) / layers; }
 
@@ -39,6 +38,13 @@ struct TableKind {
     /// where values are of order 1. `n_dot_v` and `perceptual_roughness` in [0, 1].
     double (*error_of)(const TablePlan& plan, double n_dot_v, double perceptual_roughness,
                        std::span<const double> read);
+
+    /// Of a formula, which is written as source and never as a texture: its value at a point into
+    /// `read`. Nothing for tables.
+    void (*evaluate)(const TablePlan& plan, double n_dot_v, double perceptual_roughness,
+                     std::span<double> read) = nullptr;
+
+    bool is_closed_form() const { return evaluate != nullptr; }
 };
 
 /// Every kind; the first is the default.

@@ -125,7 +125,8 @@ public:
         std::vector<double> all_a(views_.above().size()), all_b(all_a);
         views_.spread(std::span(a).first(nodes), all_a);
         views_.spread(std::span(b).first(nodes), all_b);
-        for (size_t x = 0; x < all_a.size(); ++x) row[views_.above()[x]] = at_least_0({all_a[x], all_b[x]});
+        for (size_t x = 0; x < all_a.size(); ++x)
+            row[views_.above()[x]] = at_least_0({all_a[x], all_b[x]});
         for (const size_t x : views_.zero()) row[x] = at_least_0({a.back(), b.back()});
     }
 
