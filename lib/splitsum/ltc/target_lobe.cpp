@@ -14,8 +14,6 @@
 namespace splitsum {
 namespace {
 
-constexpr int nodes_for_albedo = 48;
-
 Vec3d view_at(double n_dot_v) {
     const double cosine = std::max(n_dot_v, TargetLobe::most_grazing);
     return {std::sqrt((1 - cosine) * (1 + cosine)), 0, cosine};
@@ -29,14 +27,13 @@ TargetLobe::TargetLobe(LtcTarget target, double n_dot_v, double perceptual_rough
       alpha_(perceptual_roughness_ * perceptual_roughness_),
       view_(view_at(n_dot_v)) {
     double sum = 0;
-    for (const LobeNode& node : nodes(nodes_for_albedo))
-        sum += 2 * node.weight * unnormalised(node.light);
+    for (const LobeNode& node : nodes(nodes_for_albedo)) sum += 2 * node.weight * value(node.light);
     albedo_ = sum;
 }
 
-double TargetLobe::density(const Vec3d& light) const { return unnormalised(light) / albedo_; }
+double TargetLobe::density(const Vec3d& light) const { return value(light) / albedo_; }
 
-double TargetLobe::unnormalised(const Vec3d& light) const {
+double TargetLobe::value(const Vec3d& light) const {
     if (light.z <= 0) return 0;
     if (target_ == LtcTarget::disney_diffuse)
         return light.z * disney_diffuse(DisneyDiffuse::burley, light.z, view_.z, dot(light, view_),

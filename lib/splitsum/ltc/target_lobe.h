@@ -28,12 +28,16 @@ public:
     static constexpr double smoothest = 0.005;
     /// The most grazing view, for the same reason.
     static constexpr double most_grazing = 0.002;
+    static constexpr int nodes_for_albedo = 48;
 
     /// `n_dot_v` and `perceptual_roughness` in [0, 1].
     TargetLobe(LtcTarget target, double n_dot_v, double perceptual_roughness);
 
-    /// BRDF times n·l over its own integral, per steradian; 0 below the horizon. `light` is a unit
-    /// vector in the frame of transformed_cosine.h.
+    /// BRDF times n·l per steradian, 0 below the horizon. `light` is a unit vector in the frame of
+    /// transformed_cosine.h.
+    double value(const Vec3d& light) const;
+
+    /// The same over its own integral, of which nodes_for_albedo² nodes() know three digits or more.
     double density(const Vec3d& light) const;
 
     /// Probability per steradian of the directions that follow the lobe: visible normals for GGX,
@@ -48,10 +52,9 @@ public:
     /// GGX width, perceptual roughness squared and never 0.
     double alpha() const { return alpha_; }
     const Vec3d& view() const { return view_; }
+    LtcTarget target() const { return target_; }
 
 private:
-    double unnormalised(const Vec3d& light) const;
-
     LtcTarget target_;
     double perceptual_roughness_;
     double alpha_;
