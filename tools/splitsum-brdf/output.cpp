@@ -87,7 +87,8 @@ void print_table(const TableAsset& asset, const TableOutput& output, bool json) 
             {"file", output.path.string()},     {"table", asset.kind.name},
             {"size", asset.plan.size},          {"format", info_of(asset.texture.format).name},
             {"max_abs", check.at_texels},       {"probes", check.texels},
-            {"max_abs_between", check.between}, {"points", check.points}};
+            {"max_abs_between", check.between}, {"points", check.points},
+            {"max_abs_in_rim", check.in_rim},   {"rim_points", check.rim_points}};
         if (!output.preview.empty()) result["preview"] = output.preview.string();
         std::cout << result.dump(2) << "\n";
         return;
@@ -96,9 +97,12 @@ void print_table(const TableAsset& asset, const TableOutput& output, bool json) 
     if (!asset.kind.is_closed_form())
         std::cout << ", " << asset.plan.size << "x" << asset.plan.size << " "
                   << info_of(asset.texture.format).name;
-    std::cout << std::scientific << std::setprecision(2) << ", max_abs " << check.at_texels
+    std::cout << std::scientific << std::setprecision(2) << "; max_abs " << check.at_texels
               << " at " << check.texels << " texels, " << check.between << " at " << check.points
-              << " points between them\n";
+              << " points between them";
+    if (check.rim_points > 0)
+        std::cout << ", " << check.in_rim << " in the outer half texel (--layout edge has none)";
+    std::cout << "\n";
 }
 
 }  // namespace splitsum::tools

@@ -51,11 +51,12 @@ AssetFacts facts_of_table(const TableAsset& asset) {
     facts.table.has_geometry = asset.kind.has_geometry;
     facts.table.max_abs = asset.check.at_texels;
     facts.table.max_abs_between = asset.check.between;
+    facts.table.max_abs_in_rim = asset.check.in_rim;
     return facts;
 }
 
 TableProbes probes_of(const TableKind& kind) {
-    return {.texels = kind.probes / 2, .points = kind.probes};
+    return {.texels = kind.probes / 2, .points = kind.probes, .rim_points = kind.probes / 4};
 }
 
 // A table of a size that is a number.
@@ -75,8 +76,7 @@ double worst_of(const TableCheck& check) { return std::max(check.at_texels, chec
 // What else the user could ask for.
 std::string advice(const TablePlan& plan, PixelFormat format) {
     std::string text = "a larger --accuracy";
-    if (plan.layout == TexelLayout::centre)
-        text += ", --layout edge (centre holds the value within half a texel of the border)";
+    if (plan.layout == TexelLayout::centre) text += ", --layout edge";
     const PixelFormatInfo& info = info_of(format);
     if (info.bytes_per_texel < 4 * info.channels)
         text += cat(", --format ", info.channels == 2 ? "rg32f" : "rgba32f");

@@ -39,6 +39,17 @@ std::string nested(const std::string& type, const std::string& name, const Liter
     return text + cat("    ", type, " ", name, " = ", horner(in_x, "x"), ";\n");
 }
 
+// L of t = x / L as an expression of x and r that both languages read; `square_root` names the
+// function and `suffix` ends a literal.
+std::string view_length(SmithTerm term, const std::string& square_root, const std::string& suffix) {
+    const auto number = [&](double value) {
+        return cat(float_text(static_cast<float>(value)), suffix);
+    };
+    if (term == SmithTerm::height_correlated)
+        return cat(square_root, "(x * x + r * r * r * r * (", number(1), " - x * x))");
+    return cat("(x + ", number(schlick_k(term, 1)), " * r * r * (", number(1), " - x))");
+}
+
 Literal channel_of(const SplitSumFit& fit, size_t channel) {
     return [&fit, channel](size_t index) { return float_text(fit[index][channel]) + "f"; };
 }
@@ -47,8 +58,9 @@ Literal channel_of(const SplitSumFit& fit, size_t channel) {
 
 nlohmann::ordered_json formula_json(const TableAsset& asset) {
     nlohmann::ordered_json formula;
-    formula["variables"] = {
-        {"x", "n.v"}, {"r", "perceptual roughness"}, {"t", "x / sqrt(x^2 (1 - r^4) + r^4)"}};
+    formula["variables"] = {{"x", "n.v"},
+                            {"r", "perceptual roughness"},
+                            {"t", cat("x / ", view_length(asset.plan.geometry, "sqrt", ""))}};
     formula["terms"] = "sum of c x^i r^j t^k, clamped to [0, 1]";
     formula["coefficients"] = nlohmann::ordered_json::array();
     const SplitSumFit& fit = shipped_fit(asset.plan.geometry);
@@ -71,29 +83,28 @@ std::string formula_as_glsl(const TableAsset& asset) {
                "(float n_dot_v, float perceptual_roughness) {\n"
                "    float x = clamp(n_dot_v, 0.0, 1.0);\n"
                "    float r = clamp(perceptual_roughness, 0.0, 1.0);\n"
-               "    float alpha2 = r * r * r * r;\n"
-               "    float t = x / max(sqrt(x * x * (1.0 - alpha2) + alpha2), 1e-7);\n",
+               "    float t = x / max(",
+               view_length(asset.plan.geometry, "sqrt", ""), ", 1e-7);\n",
                nested("vec2", "s", pair), "    return clamp(s, 0.0, 1.0);\n}\n");
 }
 
 std::string formula_as_cpp(const TableAsset& asset) {
     const SplitSumFit& fit = shipped_fit(asset.plan.geometry);
     const std::string name = identifier_of(asset.kind);
-    return cat(
-        "// ", asset.kind.value, "\n", metadata_comment(asset),
-        "#pragma once\n\n#include <algorithm>\n#include <cmath>\n\nnamespace ", name,
-        " {\n\nconstexpr int channels = 2, layers = 1;\n\n"
-        "// a and b into `read`.\n"
-        "inline void look_up(float n_dot_v, float perceptual_roughness, float* read) {\n"
-        "    const float x = std::clamp(n_dot_v, 0.0f, 1.0f);\n"
-        "    const float r = std::clamp(perceptual_roughness, 0.0f, 1.0f);\n"
-        "    const float alpha2 = r * r * r * r;\n"
-        "    const float t = x / std::max(std::sqrt(x * x * (1.0f - alpha2) + alpha2), 1e-7f);\n",
-        nested("const float", "a", channel_of(fit, 0)),
-        nested("const float", "b", channel_of(fit, 1)),
-        "    read[0] = std::clamp(a, 0.0f, 1.0f);\n"
-        "    read[1] = std::clamp(b, 0.0f, 1.0f);\n}\n\n}  // namespace ",
-        name, "\n");
+    return cat("// ", asset.kind.value, "\n", metadata_comment(asset),
+               "#pragma once\n\n#include <algorithm>\n#include <cmath>\n\nnamespace ", name,
+               " {\n\nconstexpr int channels = 2, layers = 1;\n\n"
+               "// a and b into `read`.\n"
+               "inline void look_up(float n_dot_v, float perceptual_roughness, float* read) {\n"
+               "    const float x = std::clamp(n_dot_v, 0.0f, 1.0f);\n"
+               "    const float r = std::clamp(perceptual_roughness, 0.0f, 1.0f);\n"
+               "    const float t = x / std::max(",
+               view_length(asset.plan.geometry, "std::sqrt", "f"), ", 1e-7f);\n",
+               nested("const float", "a", channel_of(fit, 0)),
+               nested("const float", "b", channel_of(fit, 1)),
+               "    read[0] = std::clamp(a, 0.0f, 1.0f);\n"
+               "    read[1] = std::clamp(b, 0.0f, 1.0f);\n}\n\n}  // namespace ",
+               name, "\n");
 }
 
 }  // namespace splitsum

@@ -89,6 +89,7 @@ void describe_table(const TableFacts& facts, Metadata& metadata) {
     metadata["splitsum.samples"] = number_text(plan.samples);
     metadata["splitsum.max_abs"] = figure_text(facts.max_abs);
     metadata["splitsum.max_abs_between"] = figure_text(facts.max_abs_between);
+    metadata["splitsum.max_abs_in_rim"] = figure_text(facts.max_abs_in_rim);
 }
 
 // Reads values from the metadata; remembers the first that could not be read.
@@ -192,6 +193,7 @@ void read_table(Reader& reader, TableFacts& facts) {
     plan.samples = reader.number<int>("splitsum.samples");
     facts.max_abs = reader.number<double>("splitsum.max_abs");
     facts.max_abs_between = reader.number<double>("splitsum.max_abs_between");
+    facts.max_abs_in_rim = reader.number<double>("splitsum.max_abs_in_rim");
 }
 
 }  // namespace

@@ -27,6 +27,7 @@ struct TableFacts {
     bool has_geometry = true;                                    ///< whether plan.geometry matters
     double max_abs = 0;          ///< measured on what is stored, at texels
     double max_abs_between = 0;  ///< and between them, as a linear filter reads it
+    double max_abs_in_rim = 0;   ///< and outside of the outermost texel centres, clamped
 };
 
 /// Everything a reader needs in order to know what a lookup in a texture returns and how the

@@ -1,6 +1,7 @@
 #include "splitsum/table/self_check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "splitsum/base/parallel.h"
@@ -39,11 +40,36 @@ std::vector<Lookup> texels_to_judge(const TableGrid& grid, const TableProbes& pr
     return texels;
 }
 
-std::vector<Lookup> points_to_judge(int count) {
+// Point i of the additive sequence of the plastic number (Roberts 2018, "The Unreasonable
+// Effectiveness of Quasirandom Sequences"): even, and on no grid that a table could have.
+Vec2d spread_point(int i) {
+    constexpr double plastic = 1.32471795724474602596;
+    const double x = 0.5 + i / plastic, y = 0.5 + i / (plastic * plastic);
+    return {x - std::floor(x), y - std::floor(y)};
+}
+
+// A point in coordinates of the axes.
+Lookup lookup_at(const TableKind& kind, const TablePlan& plan, const Vec2d& coordinates) {
+    return {n_dot_v_at(kind.view_axis, coordinates.x),
+            perceptual_roughness_at(plan.roughness_axis, coordinates.y)};
+}
+
+std::vector<Lookup> points_between(const TableKind& kind, const TablePlan& plan, int count) {
+    const double first = coordinate_of_texel(plan.layout, 0, plan.size);
+    const double last = coordinate_of_texel(plan.layout, plan.size - 1, plan.size);
     std::vector<Lookup> points;
+    for (int i = 0; i < count; ++i)
+        points.push_back(lookup_at(kind, plan, first + (last - first) * spread_point(i)));
+    return points;
+}
+
+std::vector<Lookup> points_in_rim(const TableKind& kind, const TablePlan& plan, int count) {
+    std::vector<Lookup> points;
+    if (plan.layout == TexelLayout::edge || kind.is_closed_form()) return points;
     for (int i = 0; i < count; ++i) {
-        const Vec2d point = hammersley(static_cast<uint32_t>(i), static_cast<uint32_t>(count));
-        points.push_back({point.x, point.y});
+        const double along = spread_point(i).x;
+        const Vec2d sides[] = {{0, along}, {1, along}, {along, 0}, {along, 1}};
+        points.push_back(lookup_at(kind, plan, sides[i % 4]));
     }
     return points;
 }
@@ -69,9 +95,17 @@ double worst_error(const TableKind& kind, const TablePlan& plan, const Table& st
 TableCheck check_table(const TableKind& kind, const TablePlan& plan, const Table& stored,
                        const TableProbes& probes) {
     const auto texels = texels_to_judge(grid_of(plan, kind.view_axis), probes);
-    const auto points = points_to_judge(probes.points);
-    return {worst_error(kind, plan, stored, texels), worst_error(kind, plan, stored, points),
-            static_cast<int>(texels.size()), static_cast<int>(points.size())};
+    const auto points = points_between(kind, plan, probes.points);
+    const auto rim = points_in_rim(kind, plan, probes.rim_points);
+    const auto worst = [&](const std::vector<Lookup>& lookups) {
+        return worst_error(kind, plan, stored, lookups);
+    };
+    return {worst(texels),
+            worst(points),
+            worst(rim),
+            static_cast<int>(texels.size()),
+            static_cast<int>(points.size()),
+            static_cast<int>(rim.size())};
 }
 
 }  // namespace splitsum

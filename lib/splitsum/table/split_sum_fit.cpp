@@ -11,10 +11,16 @@ namespace {
 
 using Terms = std::array<double, fit_terms>;
 
-Terms terms_at(double n_dot_v, double perceptual_roughness) {
-    const double alpha2 = std::pow(perceptual_roughness, 4);
-    const double view_length = std::sqrt(n_dot_v * n_dot_v * (1 - alpha2) + alpha2);
-    const double t = n_dot_v / std::max(view_length, 1e-7);
+double view_length(SmithTerm term, double n_dot_v, double alpha) {
+    if (term == SmithTerm::height_correlated)
+        return std::sqrt(n_dot_v * n_dot_v * (1 - alpha * alpha) + alpha * alpha);
+    const double k = schlick_k(term, alpha);
+    return n_dot_v * (1 - k) + k;
+}
+
+Terms terms_at(SmithTerm term, double n_dot_v, double perceptual_roughness) {
+    const double alpha = perceptual_roughness * perceptual_roughness;
+    const double t = n_dot_v / std::max(view_length(term, n_dot_v, alpha), 1e-7);
     Terms terms;
     size_t next = 0;
     for (int i = 0; i <= fit_degree; ++i)
@@ -53,7 +59,8 @@ std::vector<Sample> samples_of(SmithTerm term) {
     std::vector<Sample> samples;
     for (size_t i = 0; i < sums.size(); ++i)
         samples.push_back(
-            {terms_at(grid.n_dot_v[i % count], grid.perceptual_roughness[i / count]), sums[i]});
+            {terms_at(term, grid.n_dot_v[i % count], grid.perceptual_roughness[i / count]),
+             sums[i]});
     return samples;
 }
 
@@ -122,8 +129,9 @@ Terms minimax(const std::vector<Sample>& samples, double SplitSum::*channel) {
 
 }  // namespace
 
-SplitSum evaluate(const SplitSumFit& fit, double n_dot_v, double perceptual_roughness) {
-    const Terms terms = terms_at(n_dot_v, perceptual_roughness);
+SplitSum evaluate(const SplitSumFit& fit, SmithTerm term, double n_dot_v,
+                  double perceptual_roughness) {
+    const Terms terms = terms_at(term, n_dot_v, perceptual_roughness);
     SplitSum sum{0, 0};
     for (size_t i = 0; i < terms.size(); ++i) {
         sum.a += static_cast<double>(fit[i][0]) * terms[i];
@@ -149,9 +157,9 @@ Result<Table> bake_ggx_fit(const TablePlan& plan, const TableGrid& grid, Progres
     Table table = blank_table(columns, rows, 2);
     for (int y = 0; y < rows; ++y) {
         for (int x = 0; x < columns; ++x) {
-            const SplitSum sum =
-                evaluate(shipped_fit(plan.geometry), grid.n_dot_v[static_cast<size_t>(x)],
-                         grid.perceptual_roughness[static_cast<size_t>(y)]);
+            const SplitSum sum = evaluate(shipped_fit(plan.geometry), plan.geometry,
+                                          grid.n_dot_v[static_cast<size_t>(x)],
+                                          grid.perceptual_roughness[static_cast<size_t>(y)]);
             table.texel(x, y)[0] = static_cast<float>(sum.a);
             table.texel(x, y)[1] = static_cast<float>(sum.b);
         }
@@ -162,7 +170,8 @@ Result<Table> bake_ggx_fit(const TablePlan& plan, const TableGrid& grid, Progres
 
 void evaluate_ggx_fit(const TablePlan& plan, double n_dot_v, double perceptual_roughness,
                       std::span<double> read) {
-    const SplitSum sum = evaluate(shipped_fit(plan.geometry), n_dot_v, perceptual_roughness);
+    const SplitSum sum =
+        evaluate(shipped_fit(plan.geometry), plan.geometry, n_dot_v, perceptual_roughness);
     read[0] = sum.a;
     read[1] = sum.b;
 }

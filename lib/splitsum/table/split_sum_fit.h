@@ -13,7 +13,8 @@
 namespace splitsum {
 
 // The split sum without a texture: a and b as polynomials of degree 4 in three variables,
-//     x = n·v,   r = perceptual roughness,   t = x / sqrt(x² (1 - alpha²) + alpha²),   alpha = r².
+//     x = n·v,   r = perceptual roughness,   t = x / L,
+//     L = sqrt(x² (1 - alpha²) + alpha²), or x (1 - k) + k of a Schlick term,   alpha = r².
 // The third is what shadowing sees of the view, t = 1 for the mirror and 0 edge on: at the corner
 // x = r = 0, where a and b depend on x / alpha alone and have no limit, no polynomial in x and r
 // comes nearer than 0.1.
@@ -30,7 +31,8 @@ using SplitSumFit = std::array<std::array<float, 2>, fit_terms>;
 const SplitSumFit& shipped_fit(SmithTerm term);
 
 /// The polynomials at a point, clamped to [0, 1]. `n_dot_v` and `perceptual_roughness` in [0, 1].
-SplitSum evaluate(const SplitSumFit& fit, double n_dot_v, double perceptual_roughness);
+SplitSum evaluate(const SplitSumFit& fit, SmithTerm term, double n_dot_v,
+                  double perceptual_roughness);
 
 /// Makes the fit anew: least squares over 65 x 65 points, denser towards grazing views, whose weights
 /// are multiplied by their errors again and again until the largest is as small as it gets (Lawson
