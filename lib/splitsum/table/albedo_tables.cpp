@@ -3,28 +3,30 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "splitsum/base/parallel.h"
 #include "splitsum/brdf/charlie_albedo.h"
 #include "splitsum/brdf/disney_diffuse.h"
 #include "splitsum/math/quadrature.h"
+#include "splitsum/table/chebyshev.h"
 
 namespace splitsum {
 namespace {
 
-// Columns in parallel: `view(n_dot_v)` gives a function of perceptual roughness.
-template <class View>
-Result<Table> bake_columns(const TableGrid& grid, Progress& progress, const View& view) {
+// Columns in parallel: `fill(n_dot_v, values)` writes one value for every row of the grid.
+template <class Fill>
+Result<Table> bake_columns(const TableGrid& grid, Progress& progress, const Fill& fill) {
     const int columns = static_cast<int>(grid.n_dot_v.size());
     const int rows = static_cast<int>(grid.perceptual_roughness.size());
     Table table = blank_table(columns, rows, 1);
     progress.begin("directional albedo", columns);
     parallel_rows(columns, [&](int x) {
         if (progress.cancelled()) return;
-        const auto albedo = view(grid.n_dot_v[static_cast<size_t>(x)]);
+        std::vector<double> values(grid.perceptual_roughness.size());
+        fill(grid.n_dot_v[static_cast<size_t>(x)], values);
         for (int y = 0; y < rows; ++y)
-            table.texel(x, y)[0] =
-                static_cast<float>(albedo(grid.perceptual_roughness[static_cast<size_t>(y)]));
+            table.texel(x, y)[0] = static_cast<float>(values[static_cast<size_t>(y)]);
         progress.advance(1);
     });
     if (progress.cancelled())
@@ -32,21 +34,44 @@ Result<Table> bake_columns(const TableGrid& grid, Progress& progress, const View
     return table;
 }
 
+std::vector<double> cloth_widths(const TableGrid& grid) {
+    std::vector<double> widths;
+    for (const double r : grid.perceptual_roughness)
+        widths.push_back(std::clamp(r * r, narrowest_cloth_alpha, 1.0));
+    return widths;
+}
+
 Result<Table> bake_cloth(const TablePlan& plan, const TableGrid& grid, Progress& progress,
                          ClothVisibility visibility) {
-    return bake_columns(grid, progress, [&](double n_dot_v) {
-        return [albedo = ClothAlbedo(visibility, n_dot_v, quadrature_tolerance(plan))](
-                   double perceptual_roughness) {
-            return albedo.at(perceptual_roughness * perceptual_roughness);
-        };
+    const std::vector<double> widths = cloth_widths(grid);
+    return bake_columns(grid, progress, [&](double n_dot_v, std::span<double> values) {
+        const ClothAlbedo albedo(visibility, n_dot_v, quadrature_tolerance(plan));
+        std::ranges::transform(widths, values.begin(),
+                               [&](double alpha) { return albedo.at(alpha); });
+    });
+}
+
+// Every width of the fitted Smith term is an integration of its own; over ln(alpha) so many of them
+// know the others to 1e-6.
+constexpr int widths_integrated = 56;
+
+Result<Table> bake_smith_cloth(const TablePlan& plan, const TableGrid& grid, Progress& progress) {
+    if (grid.perceptual_roughness.size() <= widths_integrated)
+        return bake_cloth(plan, grid, progress, ClothVisibility::estevez_kulla);
+    const LogChebyshev widths(narrowest_cloth_alpha, widths_integrated, cloth_widths(grid));
+    return bake_columns(grid, progress, [&](double n_dot_v, std::span<double> values) {
+        const ClothAlbedo albedo(ClothVisibility::estevez_kulla, n_dot_v,
+                                 quadrature_tolerance(plan));
+        std::vector<double> at_nodes;
+        for (const double alpha : widths.nodes()) at_nodes.push_back(albedo.at(alpha));
+        widths.spread(at_nodes, values);
     });
 }
 
 Result<Table> bake_diffuse(const TableGrid& grid, Progress& progress, DisneyDiffuse lobe) {
-    return bake_columns(grid, progress, [&](double n_dot_v) {
-        return [n_dot_v, lobe](double perceptual_roughness) {
-            return disney_diffuse_albedo(lobe, n_dot_v, perceptual_roughness);
-        };
+    return bake_columns(grid, progress, [&](double n_dot_v, std::span<double> values) {
+        std::ranges::transform(grid.perceptual_roughness, values.begin(),
+                               [&](double r) { return disney_diffuse_albedo(lobe, n_dot_v, r); });
     });
 }
 
@@ -100,7 +125,7 @@ double error_of_charlie_clamped(const TablePlan&, double n_dot_v, double percept
 }
 
 Result<Table> bake_charlie_smith(const TablePlan& plan, const TableGrid& grid, Progress& progress) {
-    return bake_cloth(plan, grid, progress, ClothVisibility::estevez_kulla);
+    return bake_smith_cloth(plan, grid, progress);
 }
 
 double error_of_charlie_smith(const TablePlan&, double n_dot_v, double perceptual_roughness,
