@@ -79,11 +79,12 @@ TEST(SplitSumGlsl, UsesTheTableAsTheLibraryDoes) {
 // shader's coordinates and the library's agree on where the centres are.
 TEST(SplitSumGlsl, PutsTexelCentresWhereTheLibraryDoes) {
     constexpr int size = 64;
-    Table table{size, size, {}};
+    Table table = blank_table(size, size, 2);
     for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x)
-            table.texels.emplace_back((static_cast<float>(x) + 0.5F) / size,
-                                      (static_cast<float>(y) + 0.5F) / size);
+        for (int x = 0; x < size; ++x) {
+            table.texel(x, y)[0] = (static_cast<float>(x) + 0.5F) / size;
+            table.texel(x, y)[1] = (static_cast<float>(y) + 0.5F) / size;
+        }
     const double first = 0.5 / size;
     for (uint32_t i = 0; i < input_count; ++i) {
         const float n_dot_v = input(2 * i);

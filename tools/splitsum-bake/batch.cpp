@@ -44,6 +44,17 @@ Status check_names(const std::vector<std::string>& panoramas) {
     return ok;
 }
 
+// How the table is stored. Fails with bad_argument for a plan that makes no texture.
+Result<PixelFormat> table_format(const TablePlan& plan) {
+    if (const Status valid = validate(plan); !valid) return valid.error();
+    const auto kind = kind_of(plan);
+    if (!kind) return kind.error();
+    if (kind->is_closed_form())
+        return Error{ErrorKind::bad_argument,
+                     cat("'", kind->name, "' is a formula, no texture; splitsum-brdf writes it")};
+    return kind->channels() > 2 ? PixelFormat::rgba16f : PixelFormat::rg16f;
+}
+
 struct BakedTable {
     fs::path path;
     double max_abs;
@@ -51,7 +62,8 @@ struct BakedTable {
 
 Result<BakedTable> write_table(const BatchOptions& options, const fs::path& folder,
                                Progress& progress) {
-    const auto asset = bake_table(options.table.plan(), PixelFormat::rg16f, progress);
+    const TablePlan plan = options.table.plan();
+    const auto asset = bake_table(plan, *table_format(plan), progress);
     if (!asset) return asset.error();
     const fs::path path = folder / "brdf.ktx2";
     if (const Status written = write_texture(asset->texture, path, options.encoding.container());
@@ -161,6 +173,7 @@ Result<BakePlan> BatchOptions::plan() const {
 Result<ExitCode> run_batch(const BatchOptions& options, Progress& progress) {
     const auto plan = options.plan();
     if (!plan) return plan.error();
+    if (const auto format = table_format(options.table.plan()); !format) return format.error();
     const std::vector<std::string>& panoramas = options.input.panoramas;
     if (const Status distinct = check_names(panoramas); !distinct) return distinct.error();
     const fs::path folder = options.output.path();

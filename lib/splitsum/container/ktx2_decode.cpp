@@ -187,7 +187,10 @@ Status check_meaning(const TextureAsset& texture) {
     if (orientation != "rd")
         return unusable("its ", ktx2::orientation_key, " is \"", orientation,
                         "\"; usable is \"rd\", row 0 on top");
-    const auto channels = static_cast<size_t>(info_of(texture.format).channels);
+    // The alpha of a cubemap says nothing; of a table it is a channel like the others.
+    const int stored = info_of(texture.format).channels;
+    const auto channels =
+        static_cast<size_t>(texture.face_count == face_count ? std::min(3, stored) : stored);
     const std::string swizzle = value_of(ktx2::swizzle_key, "rgba");
     if (swizzle.substr(0, channels) != std::string_view("rgba").substr(0, channels))
         return unusable("its ", ktx2::swizzle_key, " is \"", swizzle,

@@ -69,8 +69,8 @@ struct TablePlan {
     int samples = 1024;                 ///< points per texel; of the methods that sample
     /// The largest error that the stored table may have (max_abs), in [1e-7, 0.1]: at its texels,
     /// and between them too where the size is automatic. Without one, the quadrature is converged
-    /// to default_accuracy and the format rounds as it does.
-    std::optional<double> accuracy;
+    /// to default_table_accuracy and the format rounds as it does.
+    std::optional<double> accuracy = std::nullopt;
     SmithTerm geometry = SmithTerm::height_correlated;
     TexelLayout layout = TexelLayout::centre;
     TableAxes axes = TableAxes::nv_roughness;
