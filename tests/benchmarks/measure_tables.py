@@ -11,6 +11,7 @@ Usage: measure_tables.py --build BUILD -o tables.md [--repeats N] [--quick]
 
 import argparse
 import json
+import os
 import pathlib
 import platform
 import re
@@ -91,9 +92,11 @@ def other_rows(tool, folder, options):
 def method_rows(build, options):
     """From the benchmark: milliseconds and the error in the same run."""
     pattern = "height-correlated/128" if options.quick else "height-correlated|scalar"
-    output = run([str(build / "benchmarks" / "split_sum"), f"--benchmark_filter={pattern}",
-                  "--benchmark_format=json"])
-    for case in json.loads(output)["benchmarks"]:
+    with tempfile.NamedTemporaryFile(suffix=".json") as output:
+        run([str(build / "benchmarks" / "split_sum"), f"--benchmark_filter={pattern}",
+             f"--benchmark_out={output.name}", "--benchmark_out_format=json"])
+        cases = json.load(output)["benchmarks"]
+    for case in cases:
         yield [case["name"].replace("/real_time", ""), f"{case['real_time']:.1f}",
                f"{case['max_abs']:.1e}"]
 
@@ -111,7 +114,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         tables = [*split_sum_rows(tool, folder, options), *other_rows(tool, folder, options)]
     lines = ["# Tables: errors and times", "",
-             f"Written by measure_tables.py on {platform.machine()}, whole processes, median of "
+             f"Written by measure_tables.py on {platform.machine()} with {os.cpu_count()} cores, load "
+             f"{os.getloadavg()[0]:.1f}; whole processes, median of "
              f"{options.repeats}; the errors are those of the tool's own check against nested "
              "quadrature.", "", *page(HEAD, tables), "",
              "## Methods beside each other", "",
