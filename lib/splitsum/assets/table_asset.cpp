@@ -56,7 +56,10 @@ AssetFacts facts_of_table(const TableAsset& asset) {
 }
 
 TableProbes probes_of(const TableKind& kind) {
-    return {.texels = kind.probes / 2, .points = kind.probes, .rim_points = kind.probes / 4};
+    return {.along_edge = std::clamp(kind.probes / 16, 2, 5),
+            .texels = kind.probes / 2,
+            .points = kind.probes,
+            .rim_points = kind.probes / 4};
 }
 
 // A table of a size that is a number.

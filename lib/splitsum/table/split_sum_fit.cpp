@@ -23,11 +23,14 @@ Terms terms_at(SmithTerm term, double n_dot_v, double perceptual_roughness) {
     const double t = n_dot_v / std::max(view_length(term, n_dot_v, alpha), 1e-7);
     Terms terms;
     size_t next = 0;
-    for (int i = 0; i <= fit_degree; ++i)
-        for (int j = 0; i + j <= fit_degree; ++j)
-            for (int k = 0; i + j + k <= fit_degree; ++k)
-                terms[next++] =
-                    std::pow(n_dot_v, i) * std::pow(perceptual_roughness, j) * std::pow(t, k);
+    double in_x = 1;
+    for (int i = 0; i <= fit_degree; ++i, in_x *= n_dot_v) {
+        double in_r = in_x;
+        for (int j = 0; i + j <= fit_degree; ++j, in_r *= perceptual_roughness) {
+            double in_t = in_r;
+            for (int k = 0; i + j + k <= fit_degree; ++k, in_t *= t) terms[next++] = in_t;
+        }
+    }
     return terms;
 }
 

@@ -18,7 +18,7 @@ constexpr double alphas[] = {1e-9, 3e-7, 1e-5, 1e-3, 0.013, 0.1, 0.37, 0.71, 1};
 constexpr double cosines[] = {0, 1e-7, 1e-4, 3e-3, 0.02, 0.3, 0.71, 0.99, 1};
 
 // Another mapping with nested panels judges every tolerance. Caught when tried: a node law 20 %
-// smaller, a horizon 1e-3 lower, D of a lobe 0.01 % wider.
+// smaller, a horizon 1e-3 lower, alpha² 1e-4 larger.
 TEST(SplitSumQuadrature, MeetsEveryTolerance) {
     struct Pair {
         SmithTerm term;
