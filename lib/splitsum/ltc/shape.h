@@ -14,8 +14,8 @@ namespace splitsum {
 /// The widths and the shear move the lobe's body; the tilt turns the plane z' = 0 that cuts it off,
 /// and leaves the body of a narrow lobe where it is. Equal steps move narrow and wide lobes alike,
 /// and every shape with |tilt| < pi / 2 has a positive determinant. Heitz et al. 2016 fit the first
-/// three, with the axis at the mean direction; turning the cut-off as well halves the error of
-/// polygons shaded at grazing views.
+/// three, with the axis at the mean direction; turning the cut-off as well nearly halves the error
+/// of polygons shaded by an otherwise equal fit.
 struct LtcShape {
     static constexpr int parameter_count = 4;
 

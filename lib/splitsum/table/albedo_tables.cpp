@@ -53,7 +53,7 @@ Result<Table> bake_cloth(const TablePlan& plan, const TableGrid& grid, Progress&
 
 // Every width of the fitted Smith term is an integration of its own; over ln(alpha) so many of them
 // know the others to 1e-6.
-constexpr int widths_integrated = 56;
+constexpr int widths_integrated = 32;
 
 Result<Table> bake_smith_cloth(const TablePlan& plan, const TableGrid& grid, Progress& progress) {
     if (grid.perceptual_roughness.size() <= widths_integrated)

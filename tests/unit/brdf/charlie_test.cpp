@@ -55,10 +55,17 @@ TEST(CharlieLambda, IsContinuousAndFallsToTheNormal) {
             before = charlie_lambda(cosine, alpha);
         }
     }
-    // Table 1 of the paper at alpha = 1.
-    const double by_hand =
-        21.5473 / (1 + 3.82987 * std::pow(0.25, 0.19823)) - 1.9776 * 0.25 - 4.32054;
-    EXPECT_NEAR(std::log(charlie_lambda(0.25, 1)), by_hand, 1e-12);
+}
+
+// Table 1 of the paper, a / (1 + b x^c) + d x + e at a cosine of 1/4.
+TEST(CharlieLambda, IsTheFitOfThePaper) {
+    const auto log_at_a_quarter = [](double a, double b, double c, double d, double e) {
+        return a / (1 + b * std::pow(0.25, c)) + d * 0.25 + e;
+    };
+    EXPECT_NEAR(std::log(charlie_lambda(0.25, 0)),
+                log_at_a_quarter(25.3245, 3.32435, 0.16801, -1.27393, -4.85967), 1e-12);
+    EXPECT_NEAR(std::log(charlie_lambda(0.25, 1)),
+                log_at_a_quarter(21.5473, 3.82987, 0.19823, -1.97760, -4.32054), 1e-12);
 }
 
 }  // namespace

@@ -55,19 +55,20 @@ TEST(ClipToHorizon, KeepsWhatIsAboveAndDropsWhatIsBelow) {
     EXPECT_TRUE(clip_to_horizon(Polygon{{0, 0, -1}, {1, 0, -1}, {0, 1, -2}}).empty());
 }
 
-// The light above and the light below, mirrored up, add up to twice the shape: the clipped part of a
-// polygon that is its own mirror image below the horizon is half of the area.
+// A wall 3 wide from 1 below the horizon to 2 above it leans outwards as it rises: 6 of its area are
+// above, seen from the side, and the cut is where the wall stands at z = 0.
 TEST(ClipToHorizon, CutsWhereTheEdgesCross) {
-    const Polygon light = {{1, -1, -1}, {1, 2, -1}, {1, 2, 1}, {1, -1, 1}};
+    const Polygon light = {{1, -1, -1}, {1, 2, -1}, {4, 2, 2}, {4, -1, 2}};
     const Polygon clipped = clip_to_horizon(light);
     ASSERT_EQ(clipped.size(), 4u);
     double area = 0;
     for (size_t i = 0; i < clipped.size(); ++i) {
         const Vec3d &a = clipped[i], &b = clipped[(i + 1) % clipped.size()];
         EXPECT_GE(a.z, 0);
+        EXPECT_NEAR(a.x, a.z + 2, 1e-15);
         area += 0.5 * (a.y * b.z - a.z * b.y);
     }
-    EXPECT_NEAR(std::abs(area), 3, 1e-15);
+    EXPECT_NEAR(std::abs(area), 6, 1e-14);
 }
 
 // One corner above gives a triangle, one below adds a corner.
