@@ -21,7 +21,7 @@ TEST(BrightLight, SaturatesAndIsCounted) {
                 brightest = std::max(brightest, texel[c]);
             }
         ASSERT_GT(brightest, 1e5f);
-        const auto asset = cubemap_asset({&mirror, 1}, format.format, {});
+        const auto asset = cubemap_asset({&mirror, 1}, format.format, AssetFacts());
         ASSERT_TRUE(asset);
         EXPECT_EQ(asset->counts[0].saturated, above) << format.name;
         EXPECT_EQ(above == 0, format.name == "rgba32f") << format.name;
