@@ -13,6 +13,7 @@ find_package(OpenImageIO REQUIRED)
 # Debian 12 files this package under share/cmake itself, where CMake looks only when told.
 find_package(OpenColorIO REQUIRED HINTS /usr/share/cmake)
 find_package(nlohmann_json REQUIRED)
+find_package(PNG REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(zstd REQUIRED IMPORTED_TARGET libzstd)

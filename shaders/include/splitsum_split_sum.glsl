@@ -13,6 +13,14 @@ vec2 splitsum_table_coordinates(float n_dot_v, float perceptual_roughness) {
     return vec2(clamp(n_dot_v, 0.0, 1.0), clamp(perceptual_roughness, 0.0, 1.0));
 }
 
+// The same for a table with texels exactly at 0 and at 1 (--layout edge), `size` along an edge: the
+// texture coordinates of what splitsum_table_coordinates returned.
+vec2 splitsum_edge_coordinates(vec2 coordinates, float size) {
+    float half_texel = 0.5 / size;
+    float covered = 1.0 - 2.0 * half_texel;
+    return coordinates * covered + vec2(half_texel);
+}
+
 // Share of uniform light that is reflected in one bounce, per channel of F0.
 vec3 splitsum_directional_albedo(vec3 f0, vec2 split_sum) {
     return f0 * split_sum.x + split_sum.y;
@@ -24,6 +32,14 @@ vec3 splitsum_directional_albedo(vec3 f0, vec2 split_sum) {
 vec3 splitsum_energy_compensation(vec3 f0, vec2 split_sum) {
     float lost_per_returned = 1.0 / (split_sum.x + split_sum.y) - 1.0;
     return vec3(1.0) + f0 * lost_per_returned;
+}
+
+// What light between the microfacets adds to the BRDF of a perfect reflector, from a table `energy`
+// (red: E, green: its average) read for the view and for the light (Kulla & Conty 2017).
+float splitsum_multiple_scattering(float energy_view, float energy_light, float average_energy) {
+    float inverse_pi = 0.31830988618;
+    float lost_on_average = max(1.0 - average_energy, 1e-6);
+    return (1.0 - energy_view) * (1.0 - energy_light) * inverse_pi / lost_on_average;
 }
 
 #endif

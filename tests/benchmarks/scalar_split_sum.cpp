@@ -58,13 +58,14 @@ Vec2 scalar_texel(SmithTerm term, float n_dot_v, float alpha, const std::vector<
 
 Table scalar_split_sum_table(SmithTerm term, int size, int samples) {
     const std::vector<Point> points = points_of(samples);
-    Table table{size, size, {}};
+    Table table = blank_table(size, size, 2);
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
             const float perceptual_roughness = (float(y) + 0.5f) / float(size);
-            table.texels.push_back(scalar_texel(term, (float(x) + 0.5f) / float(size),
-                                                perceptual_roughness * perceptual_roughness,
-                                                points));
+            const Vec2 sum = scalar_texel(term, (float(x) + 0.5f) / float(size),
+                                          perceptual_roughness * perceptual_roughness, points);
+            table.texel(x, y)[0] = sum.x;
+            table.texel(x, y)[1] = sum.y;
         }
     return table;
 }

@@ -13,6 +13,7 @@
 #include "splitsum/base/parallel.h"
 #include "splitsum/base/text.h"
 #include "splitsum/math/low_discrepancy.h"
+#include "splitsum/table/ggx_tables.h"
 #include "splitsum/table/split_sum.h"
 #include "splitsum/table/split_sum_exact.h"
 
@@ -41,24 +42,31 @@ double max_abs(const Table& table, SmithTerm term) {
         const double r = (texel / table.width + 0.5) / table.height;
         const SplitSum exact =
             split_sum_exact(term, (texel % table.width + 0.5) / table.width, r * r);
-        const Vec2 found = table.texels[size_t(texel)];
+        const auto found = table.texel(texel % table.width, texel / table.width);
         differences[size_t(i)] =
-            std::max(std::abs(double(found.x) - exact.a), std::abs(double(found.y) - exact.b));
+            std::max(std::abs(double(found[0]) - exact.a), std::abs(double(found[1]) - exact.b));
     });
     return *std::max_element(differences.begin(), differences.end());
 }
 
 void show_table(benchmark::State& state, const Table& table, SmithTerm term) {
     state.counters["max_abs"] = max_abs(table, term);
-    show_rate(state, "texels/s", double(table.texels.size()));
+    show_rate(state, "texels/s", double(table.texel_count()));
 }
 
-void library_table(benchmark::State& state, SmithTerm term, int size, int threads) {
+void library_table(benchmark::State& state, std::string_view method, SmithTerm term, int size,
+                   int threads) {
     NoProgress progress;
+    TablePlan plan;
+    plan.method = method;
+    plan.geometry = term;
+    plan.size = size;
+    plan.samples = samples;
+    const TableGrid grid = grid_of(plan, ViewAxis::cosine);
     Table table;
     {
         const ThreadLimit limit(threads);
-        for (auto _ : state) table = *split_sum_table({size, samples, term}, progress);
+        for (auto _ : state) table = *bake_ggx(plan, grid, progress);
     }
     show_table(state, table, term);
 }
@@ -78,11 +86,14 @@ void register_case(const std::string& name, const Arguments&... arguments) {
 
 const bool registered = [] {
     for (const SmithTermInfo& info : smith_terms()) {
-        const std::string at = cat(info.name, "/", table_size, "/");
-        register_case(cat(at, "scalar"), scalar_table, info.term, table_size);
-        register_case(cat(at, "library/threads:1"), library_table, info.term, table_size, 1);
-        register_case(cat(at, "library/threads:all"), library_table, info.term, table_size, 0);
-        register_case(cat(info.name, "/512/library/threads:all"), library_table, info.term, 512, 0);
+        register_case(cat(info.name, "/", table_size, "/scalar"), scalar_table, info.term,
+                      table_size);
+        for (const SplitSumMethod& method : split_sum_methods())
+            for (const int size : {table_size, 512})
+                for (const int threads : {1, 0})
+                    register_case(cat(info.name, "/", size, "/", method.name,
+                                      "/threads:", threads == 0 ? "all" : "1"),
+                                  library_table, method.name, info.term, size, threads);
     }
     return true;
 }();

@@ -149,7 +149,7 @@ BENCHMARK(write_file)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 const bool registered = [] {
     for (const PixelFormatInfo& info : pixel_formats())
-        if (info.channels == 3)
+        if (holds_colours(info))
             benchmark::RegisterBenchmark(cat("encode_chain/", info.name).c_str(), encode_chain,
                                          info.format)
                 ->UseRealTime()

@@ -29,6 +29,13 @@ const descriptors = {
     rgba32f: [0, 1, 2, 15].map((channel, i) => signedFloat(channel, 32 * i, 32)),
     rg16f: [0, 1].map((channel, i) => signedFloat(channel, 16 * i, 16)),
     rg32f: [0, 1].map((channel, i) => signedFloat(channel, 32 * i, 32)),
+    rg16unorm: [0, 1].map((channel) => ({
+        bitOffset: 16 * channel,
+        bits: 16,
+        channelType: channel,
+        lower: 0,
+        upper: 65535,
+    })),
     b10g11r11: [unsignedFloat(0, 0, 11), unsignedFloat(1, 11, 11), unsignedFloat(2, 22, 10)],
     rgb9e5: [0, 1, 2].flatMap((channel) => sharedExponent(channel, 9 * channel)),
 };

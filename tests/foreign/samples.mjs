@@ -16,6 +16,7 @@ export const cubeFormats = [
 export const tableFormats = [
     { name: 'rg16f', vkFormat: 83, typeSize: 2, texelBytes: 4 },
     { name: 'rg32f', vkFormat: 103, typeSize: 4, texelBytes: 8 },
+    { name: 'rg16unorm', vkFormat: 77, typeSize: 2, texelBytes: 4 },
 ];
 
 export const faceSize = 8;
@@ -25,6 +26,8 @@ export const table = { width: 5, height: 3 };
 // The texels of sample_textures.h.
 export const cubeTexel = (level, face, x, y) => [face + 1, x + 1, y + 1 + 16 * level];
 export const tableTexel = (x, y) => [x + 1, 10 * (y + 1)];
+// rg16unorm ends at 1: there the texels are divided by 64, and compared in 65535ths.
+const unorm = (value) => Math.round((value / 64) * 65535);
 
 // A float of 5 exponent bits with bias 15 and `mantissaBits` mantissa bits, without sign.
 function smallFloat(bits, mantissaBits) {
@@ -48,6 +51,8 @@ export const texelOf = {
     rgba32f: floats(4),
     rg16f: halfs(2),
     rg32f: floats(2),
+    rg16unorm: (bytes, i) =>
+        [0, 1].map((c) => view(bytes).getUint16(2 * (2 * i + c), true)),
     rgb9e5: (bytes, i) => {
         const bits = view(bytes).getUint32(4 * i, true);
         const unit = 2 ** ((bits >>> 27) - 15 - 9);
@@ -81,5 +86,9 @@ export function eachCubeTexel(format, level, bytes, check) {
 export function eachTableTexel(format, bytes, check) {
     for (let y = 0; y < table.height; ++y)
         for (let x = 0; x < table.width; ++x)
-            check(texelOf[format](bytes, y * table.width + x), tableTexel(x, y), `x ${x} y ${y}`);
+            check(
+                texelOf[format](bytes, y * table.width + x),
+                format === 'rg16unorm' ? tableTexel(x, y).map(unorm) : tableTexel(x, y),
+                `x ${x} y ${y}`,
+            );
 }

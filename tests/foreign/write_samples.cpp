@@ -29,7 +29,7 @@ TextureAsset direction_cube(int face_size, int level_count) {
 
 Status write_ktx2_samples(const std::filesystem::path& folder) {
     for (const PixelFormatInfo& info : pixel_formats()) {
-        const bool cube = info.channels == 3;
+        const bool cube = holds_colours(info);
         const TextureAsset texture = cube ? sample_cube(info.format) : sample_table(info.format);
         const std::string name = cat(cube ? "cube_" : "table_", info.name);
         Status plain = write_texture(texture, folder / (name + ".ktx2"));

@@ -28,6 +28,7 @@ EXTERNAL_PREFIXES = {
     "zdict": ["zstd"],
     "xxhash": ["xxhash"],
     "xxh3": ["xxhash"],
+    "png.h": ["PNG::PNG"],
     "nlohmann/": ["nlohmann_json::nlohmann_json"],
     "CLI/": ["CLI11::CLI11"],
 }

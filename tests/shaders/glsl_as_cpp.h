@@ -16,6 +16,7 @@ inline float clamp(float x, double low, double high) {
     return std::clamp(x, static_cast<float>(low), static_cast<float>(high));
 }
 inline float max(float x, double y) { return std::max(x, static_cast<float>(y)); }
+inline float max(double x, double y) { return static_cast<float>(std::max(x, y)); }
 inline float sqrt(double x) { return std::sqrt(static_cast<float>(x)); }
 
 #pragma GCC diagnostic push

@@ -1,9 +1,13 @@
 // The shader includes and their C++ twins give the same numbers: the includes are compiled as C++.
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "shaders/glsl_as_cpp.h"
 #include "splitsum/base/random.h"
+#include "splitsum/math/quadrature.h"
 #include "splitsum/plan/roughness_curve.h"
+#include "splitsum/table/bilinear.h"
 #include "splitsum/table/split_sum_lookup.h"
 
 namespace splitsum::tests {
@@ -79,11 +83,12 @@ TEST(SplitSumGlsl, UsesTheTableAsTheLibraryDoes) {
 // shader's coordinates and the library's agree on where the centres are.
 TEST(SplitSumGlsl, PutsTexelCentresWhereTheLibraryDoes) {
     constexpr int size = 64;
-    Table table{size, size, {}};
+    Table table = blank_table(size, size, 2);
     for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x)
-            table.texels.emplace_back((static_cast<float>(x) + 0.5F) / size,
-                                      (static_cast<float>(y) + 0.5F) / size);
+        for (int x = 0; x < size; ++x) {
+            table.texel(x, y)[0] = (static_cast<float>(x) + 0.5F) / size;
+            table.texel(x, y)[1] = (static_cast<float>(y) + 0.5F) / size;
+        }
     const double first = 0.5 / size;
     for (uint32_t i = 0; i < input_count; ++i) {
         const float n_dot_v = input(2 * i);
@@ -93,6 +98,41 @@ TEST(SplitSumGlsl, PutsTexelCentresWhereTheLibraryDoes) {
             look_up(table, static_cast<double>(n_dot_v), static_cast<double>(perceptual_roughness));
         EXPECT_NEAR(read.a, std::clamp(static_cast<double>(at.x), first, 1 - first), 1e-6);
         EXPECT_NEAR(read.b, std::clamp(static_cast<double>(at.y), first, 1 - first), 1e-6);
+    }
+}
+
+TEST(SplitSumGlsl, FindsTexelsAtTheEdgesWhereTheLibraryDoes) {
+    TablePlan plan;
+    plan.layout = TexelLayout::edge;
+    for (const int size : {2, 17, 64})
+        for (uint32_t i = 0; i < 500; ++i) {
+            const float n_dot_v = input(2 * i), r = input(2 * i + 1);
+            const glsl::vec2 found = glsl::splitsum_edge_coordinates(
+                glsl::splitsum_table_coordinates(n_dot_v, r), static_cast<float>(size));
+            const Vec2d expected = texture_coordinates(
+                plan, size, ViewAxis::cosine, static_cast<double>(n_dot_v), static_cast<double>(r));
+            EXPECT_NEAR(static_cast<double>(found.x), expected.x, 2e-7);
+            EXPECT_NEAR(static_cast<double>(found.y), expected.y, 2e-7);
+        }
+}
+
+// Over all directions of light the added lobe returns what one bounce lost, and light and view may
+// change places.
+TEST(SplitSumGlsl, MultipleScatteringReturnsWhatWasLost) {
+    const auto energy = [](double mu) { return 0.9 - 0.4 * mu; };  // of any surface
+    const QuadratureRule rule = gauss_legendre(16);
+    const double average = integrate(rule, 0, 1, [&](double mu) { return 2 * mu * energy(mu); });
+    const auto lobe = [&](double view, double light) {
+        return static_cast<double>(glsl::splitsum_multiple_scattering(
+            static_cast<float>(energy(view)), static_cast<float>(energy(light)),
+            static_cast<float>(average)));
+    };
+    for (const double view : {0.0, 0.3, 1.0}) {
+        const double returned = 2 * std::numbers::pi * integrate(rule, 0, 1, [&](double mu) {
+                                    return mu * lobe(view, mu);
+                                });
+        EXPECT_NEAR(returned, 1 - energy(view), 1e-6);
+        EXPECT_NEAR(lobe(view, 0.7), lobe(0.7, view), 1e-7);
     }
 }
 

@@ -1,7 +1,7 @@
 // Rows 1, 2 and 3: no roughness at all, hardly any, and views that graze the surface.
 #include "splitsum/measure/error_figures.h"
-#include "splitsum/table/split_sum.h"
 #include "splitsum/table/split_sum_exact.h"
+#include "splitsum/table/split_sum_vndf.h"
 #include "stability/levels.h"
 #include "support/lopsided_sky.h"
 
@@ -39,7 +39,8 @@ TEST(GrazingViews, AreFiniteAndRight) {
     for (const SmithTermInfo& geometry : smith_terms())
         for (const double n_dot_v : {1e-7, 1e-5, 1e-3, 0.01})
             for (const double alpha : {0.0, 1e-8, 1e-4, 0.0004, 0.01, 0.3, 1.0}) {
-                const SplitSum sampled = split_sum_by_sampling(geometry.term, n_dot_v, alpha, 1024);
+                const SplitSum sampled =
+                    split_sum_by_visible_normals(geometry.term, n_dot_v, alpha, 1024);
                 const SplitSum exact = split_sum_exact(geometry.term, n_dot_v, alpha);
                 for (const SplitSum& sum : {sampled, exact}) {
                     ASSERT_TRUE(std::isfinite(sum.a) && std::isfinite(sum.b))

@@ -119,13 +119,15 @@ TEST(SpecularOptions, RefuseLevelsThatTheSizeDoesNotHave) {
 }
 
 TEST(EncodingOptions, OfferTheFormatsThatFit) {
-    for (const auto& [channels, format, fits] : {std::tuple{2, "rg32f", true},
-                                                 {2, "rgba16f", false},
-                                                 {3, "rgb9e5", true},
-                                                 {3, "rg16f", false}}) {
+    using enum EncodingOptions::Content;
+    for (const auto& [content, format, fits] : {std::tuple{table, "rg32f", true},
+                                                {table, "rgba16f", true},
+                                                {table, "rgb9e5", false},
+                                                {cubemap, "rgb9e5", true},
+                                                {cubemap, "rg16f", false}}) {
         const auto failure =
             parse_failure({"--format", format, "--zstd"}, [&](CLI::App& app, const auto& parse) {
-                EncodingOptions options(app, channels);
+                EncodingOptions options(app, content);
                 parse();
                 EXPECT_EQ(info_of(options.format()).name, format);
                 EXPECT_TRUE(options.container().ktx2.zstd);
@@ -136,13 +138,16 @@ TEST(EncodingOptions, OfferTheFormatsThatFit) {
 
 TEST(TableOptions, TakeAPrefix) {
     const auto failure =
-        parse_failure({"--table-size", "64", "--table-geometry", "schlick-half"},
+        parse_failure({"--table-size", "64", "--table-geometry", "schlick-half", "--table-kind",
+                       "energy", "--table-layout", "edge"},
                       [](CLI::App& app, const auto& parse) {
                           SpecularOptions specular(app);  // has a --size of its own
                           TableOptions options(app, "table-");
                           parse();
                           EXPECT_EQ(options.plan().size, 64);
                           EXPECT_EQ(options.plan().geometry, SmithTerm::schlick_half);
+                          EXPECT_EQ(options.plan().kind, "energy");
+                          EXPECT_EQ(options.plan().layout, TexelLayout::edge);
                       });
     EXPECT_EQ(failure, "");
 }

@@ -5,6 +5,8 @@
 
 #include "splitsum/base/text.h"
 #include "splitsum/brdf/smith.h"
+#include "splitsum/table/kinds.h"
+#include "splitsum/table/split_sum.h"
 
 namespace splitsum::tools {
 namespace {
@@ -43,10 +45,11 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& val
         ->check(one_of(choices));
 }
 
-std::vector<Choice> formats_with(int channels) {
+std::vector<Choice> formats_for(EncodingOptions::Content content) {
     std::vector<Choice> choices;
+    const auto holds = content == EncodingOptions::Content::table ? holds_tables : holds_colours;
     for (const PixelFormatInfo& format : pixel_formats())
-        if (format.channels == channels) choices.push_back({format.name, format.summary});
+        if (holds(format)) choices.push_back({format.name, format.summary});
     return choices;
 }
 
@@ -153,19 +156,48 @@ IrradianceOptions::IrradianceOptions(CLI::App& app, const std::string& prefix) {
 }
 
 TableOptions::TableOptions(CLI::App& app, const std::string& prefix)
-    : geometry_(info_of(plan_.geometry).name) {
-    add_whole(app, cat("--", prefix, "size"), plan_.size, 1, largest_size, "TEXELS",
-              "texels along an edge of the table");
-    add_whole(app, cat("--", prefix, "samples"), plan_.samples, 1, most_samples, "COUNT",
-              "sample points per texel");
-    add_choice(app, cat("--", prefix, "geometry"), geometry_, choices_of(smith_terms()),
+    : geometry_(info_of(plan_.geometry).name),
+      layout_(texel_layouts().front().name),
+      axes_(table_axes().front().name),
+      roughness_axis_(roughness_axes().front().name) {
+    const auto named = [&](const char* name) { return cat("--", prefix, name); };
+    add_choice(app, prefix.empty() ? "--table" : named("kind"), plan_.kind,
+               choices_of(table_kinds()), "what the table holds");
+    add_choice(app, named("method"), plan_.method, choices_of(split_sum_methods()),
+               "how light is integrated");
+    accuracy_given_ =
+        app.add_option(named("accuracy"), accuracy_,
+                       "largest error (max_abs) that the stored texels may have, 1e-7 to 0.1, and "
+                       "with\nan automatic size lookups between them too (default: exact to 1e-7 "
+                       "before the format rounds)")
+            ->option_text("ERROR")
+            ->check(finite_number(1e-7, 0.1));
+    add_whole(app, named("samples"), plan_.samples, 1, most_samples, "COUNT",
+              "sample points per texel, for methods that sample");
+    app.add_option(named("size"), size_,
+                   cat("texels along an edge, 1 to ", largest_size, ", or auto: the smallest of ",
+                       smallest_automatic_size, ", 16, ... ", largest_automatic_size,
+                       " that meets ", named("accuracy"), " (default ", size_, ")"))
+        ->option_text("TEXELS")
+        ->check(whole_number_or_auto(1, largest_size));
+    add_choice(app, named("layout"), layout_, choices_of(texel_layouts()), "where texels sit");
+    add_choice(app, named("axes"), axes_, choices_of(table_axes()), "what goes right and down");
+    add_choice(app, named("roughness-axis"), roughness_axis_, choices_of(roughness_axes()),
+               "what the roughness axis counts in");
+    app.add_flag(named("flip"), plan_.flip, "rows from 1 down to 0 instead of from 0 up to 1");
+    add_choice(app, named("geometry"), geometry_, choices_of(smith_terms()),
                "shadowing and masking of the microfacets");
 }
 
 TablePlan TableOptions::plan() const {
     TablePlan plan = plan_;
+    plan.size = size_ == "auto" ? TablePlan::automatic_size : std::stoi(size_);
+    if (accuracy_given_->count() > 0) plan.accuracy = accuracy_;
     for (const SmithTermInfo& info : smith_terms())
         if (info.name == geometry_) plan.geometry = info.term;
+    plan.layout = *value_named(texel_layouts(), layout_);
+    plan.axes = *value_named(table_axes(), axes_);
+    plan.roughness_axis = *value_named(roughness_axes(), roughness_axis_);
     return plan;
 }
 
@@ -173,10 +205,13 @@ std::string container_endings() {
     return join(containers(), " or ", [](const Container& c) { return c.extension; });
 }
 
-EncodingOptions::EncodingOptions(CLI::App& app, int channels, const std::string& prefix)
-    : format_(channels == 2 ? "rg16f" : "rgba16f") {
-    add_choice(app, cat("--", prefix, "format"), format_, formats_with(channels),
-               "how a texel is stored in a .ktx2 file");
+EncodingOptions::EncodingOptions(CLI::App& app, Content content, const std::string& prefix)
+    : format_(content == Content::table ? "rg16f" : "rgba16f") {
+    const bool table = content == Content::table;
+    format_given_ =
+        add_choice(app, cat("--", prefix, "format"), format_, formats_for(content),
+                   table ? "how a texel is stored" : "how a texel is stored in a .ktx2 file",
+                   table ? "rg16f, of 4 channels rgba16f; rg32f and rgba32f in source" : "");
     auto* zstd = app.add_flag(cat("--", prefix, "zstd"), container_.ktx2.zstd,
                               "supercompress a .ktx2 file with Zstandard");
     app.add_option(

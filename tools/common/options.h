@@ -96,7 +96,8 @@ struct IrradianceOptions {
     IrradiancePlan plan;
 };
 
-/// --size, --samples, --geometry; `prefix` as above ("table-").
+/// --table, --method, --accuracy, --samples, --size, --layout, --axes, --roughness-axis, --flip,
+/// --geometry; with `prefix` "table-" they are --table-kind, --table-method and so on.
 struct TableOptions {
     explicit TableOptions(CLI::App& app, const std::string& prefix = "");
     TableOptions(const TableOptions&) = delete;
@@ -105,7 +106,13 @@ struct TableOptions {
 
 private:
     TablePlan plan_;
+    std::string size_ = "512";
+    double accuracy_ = 0;
+    CLI::Option* accuracy_given_;
     std::string geometry_;
+    std::string layout_;
+    std::string axes_;
+    std::string roughness_axis_;
 };
 
 /// The endings that name a container, for --help: ".ktx2 or .exr".
@@ -113,14 +120,19 @@ std::string container_endings();
 
 /// How the texels are stored: --format, --zstd, --zstd-level.
 struct EncodingOptions {
-    /// `channels` tells which formats fit: 3 for cubemaps, 2 for tables; `prefix` as above.
-    EncodingOptions(CLI::App& app, int channels, const std::string& prefix = "");
+    /// Which formats there are to choose from.
+    enum class Content { cubemap, table };
+
+    /// `prefix` as above.
+    EncodingOptions(CLI::App& app, Content content, const std::string& prefix = "");
     EncodingOptions(const EncodingOptions&) = delete;
 
     PixelFormat format() const;
+    bool format_given() const { return format_given_->count() > 0; }
     ContainerOptions container() const { return container_; }
 
 private:
+    CLI::Option* format_given_;
     std::string format_;
     ContainerOptions container_;
 };

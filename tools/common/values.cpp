@@ -20,14 +20,28 @@ std::optional<Number> parse_number(std::string_view text) {
     return number;
 }
 
+bool is_whole_number(const std::string& text, int64_t lowest, int64_t highest) {
+    const auto number = parse_number<int64_t>(text);
+    return number && *number >= lowest && *number <= highest;
+}
+
 }  // namespace
 
 CLI::Validator whole_number(int64_t lowest, int64_t highest) {
     return CLI::Validator(
         [=](std::string& text) -> std::string {
-            const auto number = parse_number<int64_t>(text);
-            if (number && *number >= lowest && *number <= highest) return {};
+            if (is_whole_number(text, lowest, highest)) return {};
             return cat("'", text, "' is not a whole number from ", lowest, " to ", highest);
+        },
+        "");
+}
+
+CLI::Validator whole_number_or_auto(int64_t lowest, int64_t highest) {
+    return CLI::Validator(
+        [=](std::string& text) -> std::string {
+            if (text == "auto" || is_whole_number(text, lowest, highest)) return {};
+            return cat("'", text, "' is neither auto nor a whole number from ", lowest, " to ",
+                       highest);
         },
         "");
 }

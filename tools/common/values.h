@@ -14,6 +14,9 @@ namespace splitsum::tools {
 /// trailing letters, no wrap-around.
 CLI::Validator whole_number(int64_t lowest, int64_t highest);
 
+/// Accepts the same, and the word "auto".
+CLI::Validator whole_number_or_auto(int64_t lowest, int64_t highest);
+
 /// Accepts finite decimal numbers from `lowest` to `highest`.
 CLI::Validator finite_number(double lowest, double highest);
 

@@ -44,6 +44,17 @@ Status check_names(const std::vector<std::string>& panoramas) {
     return ok;
 }
 
+// How the table is stored. Fails with bad_argument for a plan that makes no texture.
+Result<PixelFormat> table_format(const TablePlan& plan) {
+    if (const Status valid = validate(plan); !valid) return valid.error();
+    const auto kind = kind_of(plan);
+    if (!kind) return kind.error();
+    if (kind->is_closed_form())
+        return Error{ErrorKind::bad_argument,
+                     cat("'", kind->name, "' is a formula, no texture; splitsum-brdf writes it")};
+    return kind->channels() > 2 ? PixelFormat::rgba16f : PixelFormat::rg16f;
+}
+
 struct BakedTable {
     fs::path path;
     double max_abs;
@@ -51,13 +62,14 @@ struct BakedTable {
 
 Result<BakedTable> write_table(const BatchOptions& options, const fs::path& folder,
                                Progress& progress) {
-    const auto asset = bake_table(options.table.plan(), PixelFormat::rg16f, progress);
+    const TablePlan plan = options.table.plan();
+    const auto asset = bake_table(plan, *table_format(plan), progress);
     if (!asset) return asset.error();
     const fs::path path = folder / "brdf.ktx2";
     if (const Status written = write_texture(asset->texture, path, options.encoding.container());
         !written)
         return written.error();
-    return BakedTable{path, asset->max_abs};
+    return BakedTable{path, asset->check.at_texels};
 }
 
 // Of the levels that were measured; nothing if none was.
@@ -143,7 +155,7 @@ BatchOptions::BatchOptions(CLI::App& app)
       table(app, "table-"),
       orientation(app),
       filter(app, methods_for(LobeKind::ggx)),
-      encoding(app, 3),
+      encoding(app, EncodingOptions::Content::cubemap),
       json(app) {
     app.add_option("--probes", probes,
                    "texels per level whose error against exact integration is measured, 0 for none "
@@ -167,6 +179,7 @@ Result<BakePlan> BatchOptions::plan() const {
 Result<ExitCode> run_batch(const BatchOptions& options, Progress& progress) {
     const auto plan = options.plan();
     if (!plan) return plan.error();
+    if (const auto format = table_format(options.table.plan()); !format) return format.error();
     const std::vector<std::string>& panoramas = options.input.panoramas;
     if (const Status distinct = check_names(panoramas); !distinct) return distinct.error();
     const fs::path folder = options.output.path();

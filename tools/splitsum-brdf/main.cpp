@@ -1,53 +1,34 @@
 #include <CLI/CLI.hpp>
 
-#include <iomanip>
-#include <iostream>
-#include <nlohmann/json.hpp>
-
 #include "common/options.h"
 #include "common/run_tool.h"
+#include "output.h"
 #include "splitsum/assets/table_asset.h"
-#include "splitsum/base/atomic_file.h"
-#include "splitsum/container/containers.h"
-
-namespace splitsum {
-namespace {
-
-void print_result(const TableAsset& asset, const std::filesystem::path& path, bool json) {
-    if (json)
-        std::cout << nlohmann::ordered_json{{"file", path.string()},
-                                            {"max_abs", asset.max_abs},
-                                            {"probes", asset.probes}}
-                         .dump(2)
-                  << "\n";
-    else
-        std::cout << path.string() << ": max_abs " << std::scientific << std::setprecision(2)
-                  << asset.max_abs << " at " << asset.probes << " probe texels\n";
-}
-
-}  // namespace
-}  // namespace splitsum
 
 int main(int argc, char** argv) {
     using namespace splitsum;
     CLI::App app(
-        "Bakes the split-sum table: scale and bias of F0 over (n.v, perceptual roughness).",
+        "Bakes a table that a renderer looks up instead of integrating over microfacets, and "
+        "measures it.",
         "splitsum-brdf");
-    app.footer("Example: splitsum-brdf -o brdf.ktx2 --size 256");
+    app.footer(
+        "Examples:\n"
+        "  splitsum-brdf -o brdf.ktx2 --size 256\n"
+        "  splitsum-brdf -o brdf.ktx2 --layout edge --accuracy 0.01 --size auto\n"
+        "  splitsum-brdf -o brdf.glsl --table ggx-fit");
     const tools::TableOptions table(app);
-    const tools::EncodingOptions encoding(app, 2);
-    const tools::OutputOptions output(app, "FILE", "the table as " + tools::container_endings());
+    const tools::EncodingOptions encoding(app, tools::EncodingOptions::Content::table);
+    const tools::OutputOptions output(app, "FILE", "the table as " + tools::table_endings());
+    const tools::PreviewOption preview(app);
     const tools::JsonOption json(app);
 
     return tools::run_tool(app, argc, argv, [&](Progress& progress) -> Status {
-        const auto container = container_of(output.path());  // before the work, not after it
-        if (!container) return container.error();
-        if (const Status possible = check_writable(output.path()); !possible) return possible;
-        const auto asset = bake_table(table.plan(), encoding.format(), progress);
+        const tools::TableOutput target{output.path(), preview.path(), encoding};
+        if (const Status possible = target.check(table.plan()); !possible) return possible;
+        const auto asset = bake_table(table.plan(), target.format(table.plan()), progress);
         if (!asset) return asset.error();
-        const Status written =
-            container->write(asset->texture, output.path(), encoding.container());
-        if (written) print_result(*asset, output.path(), json.json);
+        const Status written = target.write(*asset);
+        if (written) tools::print_table(*asset, target, json.json);
         return written;
     });
 }

@@ -84,12 +84,16 @@ Result<Comparison> against_panorama(const AssetFile& file, const CompareOptions&
 }
 
 Result<Comparison> tables_compared(const Table& table, const Table& other) {
-    if (table.width != other.width || table.height != other.height)
-        return mismatch(cat("the tables are ", table.width, "x", table.height, " and ", other.width,
-                            "x", other.height, "; they must be equally large"));
+    const auto shape = [](const Table& of) {
+        return cat(of.width, "x", of.height, " texels, ", of.channels, " channels and ", of.layers,
+                   " layers");
+    };
+    if (shape(table) != shape(other))
+        return mismatch(
+            cat("the tables have ", shape(table), ", and ", shape(other), "; they must be equal"));
     LevelCheck check;
     check.face_size = table.width;
-    check.figures = error_figures(std::span(table.texels), std::span(other.texels));
+    check.figures = error_figures(table.values, other.values, table.channels);
     return Comparison{{check}, {}};
 }
 

@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
     const tools::IrradianceOptions irradiance(app);
     const tools::OrientationOptions orientation(app);
     const tools::FilterOptions filter(app, tools::methods_for(LobeKind::cosine));
-    const tools::EncodingOptions encoding(app, 3);
+    const tools::EncodingOptions encoding(app, tools::EncodingOptions::Content::cubemap);
     const tools::CubemapOutputOptions output(app, "harmonics as .json, .txt or .glsl, a cubemap");
 
     return tools::run_tool(app, argc, argv, [&](Progress& progress) -> Status {

@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
     const tools::SpecularOptions specular(app);
     const tools::OrientationOptions orientation(app);
     const tools::FilterOptions filter(app, tools::methods_for(LobeKind::ggx));
-    const tools::EncodingOptions encoding(app, 3);
+    const tools::EncodingOptions encoding(app, tools::EncodingOptions::Content::cubemap);
     const tools::CubemapOutputOptions output(app, "the mip chain");
 
     return tools::run_tool(app, argc, argv, [&](Progress& progress) -> Status {

@@ -6,7 +6,7 @@ namespace splitsum {
 
 Result<CubemapAsset> cubemap_asset(std::span<const Cubemap> levels, PixelFormat format,
                                    const AssetFacts& facts) {
-    if (info_of(format).channels != 3)
+    if (!holds_colours(info_of(format)))
         return Error{ErrorKind::bad_argument, cat("a cubemap needs a format of three channels; ",
                                                   info_of(format).name, " has two")};
     CubemapAsset asset;

@@ -30,7 +30,7 @@ Status check_cube(const TextureAsset& texture) {
 }
 
 Result<Imf::Header> cube_header(const TextureAsset& texture) {
-    auto header = exr::header_for(texture, texture.width, 6 * texture.width);
+    auto header = exr::header_for(texture, exr::channel_names(3), texture.width, 6 * texture.width);
     if (!header) return header;
     if (texture.metadata.contains(levels_key))
         return Error{ErrorKind::bad_argument,
@@ -48,7 +48,8 @@ void write_levels(Imf::TiledOutputFile& file, std::vector<exr::StackLevel> stack
                   PixelFormat format) {
     for (int level = 0; level < static_cast<int>(stack.size()); ++level) {
         auto& texels = stack[static_cast<size_t>(level)].texels;
-        file.setFrameBuffer(exr::frame_buffer_over(texels, format, file.dataWindowForLevel(level)));
+        file.setFrameBuffer(exr::frame_buffer_over(texels, format, exr::channel_names(3),
+                                                   file.dataWindowForLevel(level)));
         file.writeTiles(0, file.numXTiles(level) - 1, 0, file.numYTiles(level) - 1, level);
     }
 }
@@ -87,7 +88,7 @@ Result<TextureAsset> described_by(const Imf::Header& header) {
     const auto size = exr::size_of(header);
     if (!size) return size.error();
     if (Status cube = check_is_cube(header, *size); !cube) return cube.error();
-    const auto format = exr::format_of(header, 3);
+    const auto format = exr::format_of(header, exr::channel_names(3), 3);
     if (!format) return format.error();
     const auto levels = level_count_of(header, size->width);
     if (!levels) return levels.error();
@@ -108,7 +109,7 @@ std::vector<std::byte> read_window(PixelFormat format, const Imath::Box2i& windo
     const auto width = static_cast<size_t>(window.max.x - window.min.x + 1);
     const auto height = static_cast<size_t>(window.max.y - window.min.y + 1);
     auto texels = exr::blank_texels(format, width * height);
-    read(exr::frame_buffer_over(texels, format, window));
+    read(exr::frame_buffer_over(texels, format, exr::channel_names(3), window));
     return texels;
 }
 

@@ -27,11 +27,11 @@ std::vector<float> box_averaged(const std::vector<float>& texels, int width, int
 StackLevel next_level(const StackLevel& level, PixelFormat format) {
     const size_t stride = static_cast<size_t>(info_of(format).bytes_per_texel);
     std::vector<float> texels(3 * level.texels.size() / stride);
-    decode_texels(format, level.texels, texels);
+    decode_texels(format, 3, level.texels, texels);
     StackLevel next{std::max(1, level.width / 2), std::max(1, level.height / 2), {}};
     const auto means = box_averaged(texels, level.width, level.height, next.width, next.height);
     next.texels.resize(means.size() / 3 * stride);
-    encode_texels(format, means, next.texels);
+    encode_texels(format, 3, means, next.texels);
     return next;
 }
 

@@ -14,7 +14,7 @@
 namespace splitsum::exr {
 namespace {
 
-constexpr const char* names[] = {"R", "G", "B"};
+constexpr const char* names[] = {"R", "G", "B", "A"};
 
 bool holds_halfs(PixelFormat format) {
     return format == PixelFormat::rgba16f || format == PixelFormat::rg16f;
@@ -61,14 +61,19 @@ Result<int> read_version(MemoryInput& stream) {
 
 }  // namespace
 
-std::span<const char* const> channel_names(int channels) {
-    return std::span(names).first(static_cast<size_t>(channels));
+std::vector<std::string> channel_names(int channels) { return {names, names + channels}; }
+
+std::vector<std::string> channel_names_of_layer(int channels, int layer) {
+    std::vector<std::string> of_layer;
+    for (int c = 0; c < channels; ++c) of_layer.push_back(cat("layer", layer, ".", names[c]));
+    return of_layer;
 }
 
-Result<Imf::Header> header_for(const TextureAsset& texture, int width, int height) {
+Result<Imf::Header> header_for(const TextureAsset& texture,
+                               const std::vector<std::string>& channels, int width, int height) {
     Imf::Header header(width, height);
     header.compression() = Imf::ZIP_COMPRESSION;
-    for (const char* name : channel_names(info_of(texture.format).channels))
+    for (const std::string& name : channels)
         header.channels().insert(name, Imf::Channel(type_of(texture.format)));
     for (const auto& [key, value] : texture.metadata) {
         if (key.starts_with("KTX")) continue;  // speaks about another container
@@ -107,19 +112,19 @@ Result<Size> size_of(const Imf::Header& header) {
     return Size{static_cast<int>(width), static_cast<int>(height)};
 }
 
-Result<PixelFormat> format_of(const Imf::Header& header, int channels) {
+Result<PixelFormat> format_of(const Imf::Header& header, const std::vector<std::string>& channels,
+                              int of_a_texel) {
     bool all_half = true;
-    for (const char* name : channel_names(channels)) {
+    for (const std::string& name : channels) {
         const Imf::Channel* channel = header.channels().findChannel(name);
         if (channel == nullptr || channel->type == Imf::UINT || channel->xSampling != 1 ||
             channel->ySampling != 1)
             return Error{ErrorKind::unusable_input,
                          cat("its channel ", name, " is missing, subsampled or of whole numbers; ",
-                             "needed are ", join(channel_names(channels), ", "),
-                             " of half floats or floats")};
+                             "needed are ", join(channels, ", "), " of half floats or floats")};
         all_half = all_half && channel->type == Imf::HALF;
     }
-    if (channels == 2) return all_half ? PixelFormat::rg16f : PixelFormat::rg32f;
+    if (of_a_texel == 2) return all_half ? PixelFormat::rg16f : PixelFormat::rg32f;
     return all_half ? PixelFormat::rgba16f : PixelFormat::rgba32f;
 }
 
@@ -134,12 +139,13 @@ std::map<std::string, std::string> metadata_of(const Imf::Header& header) {
 }
 
 Imf::FrameBuffer frame_buffer_over(std::span<std::byte> texels, PixelFormat format,
+                                   const std::vector<std::string>& channels,
                                    const Imath::Box2i& window) {
     const auto stride = static_cast<size_t>(info_of(format).bytes_per_texel);
     const size_t row = stride * static_cast<size_t>(window.max.x - window.min.x + 1);
     Imf::FrameBuffer buffer;
     size_t offset = 0;
-    for (const char* name : channel_names(info_of(format).channels)) {
+    for (const std::string& name : channels) {
         buffer.insert(
             name, Imf::Slice::Make(type_of(format), texels.data() + offset, window, stride, row));
         offset += bytes_of_channel(format);
@@ -152,7 +158,7 @@ std::vector<std::byte> blank_texels(PixelFormat format, size_t count) {
     std::vector<std::byte> texels(count * stride);
     if (!holds_alpha(format)) return texels;
     const std::vector<float> black(count * 3);
-    encode_texels(format, black, texels);
+    encode_texels(format, 3, black, texels);
     return texels;
 }
 

@@ -10,13 +10,15 @@
 
 namespace splitsum {
 
-// Tables of two channels as plain EXR images: channels R and G, row 0 on top.
+// Tables as plain EXR images, row 0 on top: channels R and G, or R, G, B and A, by what the format
+// stores. The layers of an array are EXR layers: layer0.R, ..., layer1.A.
 
-/// The bytes of an EXR file with the table: half floats for rg16f, floats for rg32f, ZIP compression,
-/// the metadata as text attributes. Fails with bad_argument for other textures.
+/// The bytes of an EXR file with the table: half floats or floats as its format has them, ZIP
+/// compression, the metadata as text attributes. Fails with bad_argument for other textures.
 Result<std::vector<std::byte>> encode_exr_table(const TextureAsset& texture);
 
-/// The channels R and G of an EXR image: rg16f when both are half floats, otherwise rg32f.
+/// The channels R, G, B, A of an EXR image, R and G where one of the others is missing, or those of
+/// layer0, layer1, ...: half floats when all of them are, otherwise floats.
 /// Fails with unreadable_input or, for an EXR file of another kind, with unusable_input.
 Result<TextureAsset> decode_exr_table(std::span<const std::byte> file);
 

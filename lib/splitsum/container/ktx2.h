@@ -31,11 +31,11 @@ struct Ktx2Options {
 Result<std::vector<std::byte>> encode_ktx2(const TextureAsset& texture,
                                            const Ktx2Options& options = {});
 
-/// The texture in the bytes of a KTX 2 file, whoever wrote it: uncompressed or Zstandard, 2D or
-/// cubemap, in one of pixel_formats(). Every offset, length and count is checked before use.
+/// The texture in the bytes of a KTX 2 file, whoever wrote it: uncompressed or Zstandard, 2D, 2D
+/// array or cubemap, in one of pixel_formats(). Every offset, length and count is checked before use.
 ///
 /// Fails with unreadable_input (not a KTX 2 file, cut short, contradicting itself) or unusable_input
-/// (a KTX 2 file of a kind that this library has no use for: block-compressed, 3D, array, rows
+/// (a KTX 2 file of a kind that this library has no use for: block-compressed, 3D, an array of cubemaps, rows
 /// bottom up, ...).
 Result<TextureAsset> decode_ktx2(std::span<const std::byte> file);
 

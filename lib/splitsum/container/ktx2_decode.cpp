@@ -61,9 +61,9 @@ Result<PixelFormat> format_of(const ktx2::Header& header) {
 Status check_kind(const ktx2::Header& header) {
     if (header.pixel_height == 0) return unusable("it is a 1D texture; usable are 2D and cubemaps");
     if (header.pixel_depth != 0) return unusable("it is a 3D texture; usable are 2D and cubemaps");
-    if (header.layer_count != 0)
+    if (header.layer_count != 0 && header.face_count == 6)
         return unusable("it is an array of ", header.layer_count,
-                        " layers; usable are single 2D textures and cubemaps");
+                        " cubemaps; usable are single cubemaps and 2D arrays");
     if (header.supercompression != ktx2::supercompression_none &&
         header.supercompression != ktx2::supercompression_zstd)
         return unusable("its supercompression scheme is ", header.supercompression,
@@ -81,6 +81,9 @@ Status check_shape(const ktx2::Header& header) {
     if (std::max(header.pixel_width, header.pixel_height) > largest_edge)
         return unreadable("it states ", header.pixel_width, "x", header.pixel_height,
                           " texels; no GPU takes more than ", largest_edge, " along an edge");
+    if (header.layer_count > most_layers)
+        return unreadable("it states ", header.layer_count, " layers; no GPU takes more than ",
+                          most_layers);
     const int most = full_level_count(static_cast<int>(header.pixel_width),
                                       static_cast<int>(header.pixel_height));
     if (header.level_count > static_cast<uint32_t>(most))
@@ -100,6 +103,7 @@ Result<TextureAsset> described_by(const ktx2::Header& header) {
     texture.width = static_cast<int>(header.pixel_width);
     texture.height = static_cast<int>(header.pixel_height);
     texture.face_count = static_cast<int>(header.face_count);
+    texture.layer_count = static_cast<int>(std::max(1u, header.layer_count));
     texture.levels.resize(std::max(1u, header.level_count));
     if (Status small_enough = check_memory(texture); !small_enough) return small_enough.error();
     return texture;
@@ -183,7 +187,10 @@ Status check_meaning(const TextureAsset& texture) {
     if (orientation != "rd")
         return unusable("its ", ktx2::orientation_key, " is \"", orientation,
                         "\"; usable is \"rd\", row 0 on top");
-    const auto channels = static_cast<size_t>(info_of(texture.format).channels);
+    // The alpha of a cubemap says nothing; of a table it is a channel like the others.
+    const int stored = info_of(texture.format).channels;
+    const auto channels =
+        static_cast<size_t>(texture.face_count == face_count ? std::min(3, stored) : stored);
     const std::string swizzle = value_of(ktx2::swizzle_key, "rgba");
     if (swizzle.substr(0, channels) != std::string_view("rgba").substr(0, channels))
         return unusable("its ", ktx2::swizzle_key, " is \"", swizzle,

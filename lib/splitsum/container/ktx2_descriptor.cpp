@@ -27,6 +27,10 @@ constexpr Sample unsigned_float(uint32_t channel, uint32_t bit_offset, uint32_t 
     return {bit_offset, bit_length, channel | float_qualifier, 0, std::bit_cast<uint32_t>(1.0f)};
 }
 
+constexpr Sample unsigned_normalised(uint32_t channel, uint32_t bit_offset, uint32_t bit_length) {
+    return {bit_offset, bit_length, channel, 0, (1u << bit_length) - 1};
+}
+
 // A shared-exponent channel is a pair: its mantissa, and the exponent with its bias and its maximum.
 // 1.0 is mantissa 256 with exponent 16, which the Khronos Data Format Specification writes as one
 // number with the exponent on top: 16 * 512 + 256.
@@ -47,6 +51,8 @@ constexpr Sample b10g11r11[] = {unsigned_float(red, 0, 11), unsigned_float(green
                                 unsigned_float(blue, 22, 10)};
 constexpr Sample rg16f[] = {signed_float(red, 0, 16), signed_float(green, 16, 16)};
 constexpr Sample rg32f[] = {signed_float(red, 0, 32), signed_float(green, 32, 32)};
+constexpr Sample rg16unorm[] = {unsigned_normalised(red, 0, 16),
+                                unsigned_normalised(green, 16, 16)};
 
 struct Layout {
     PixelFormat format;
@@ -55,9 +61,10 @@ struct Layout {
 };
 
 constexpr Layout layouts[] = {
-    {PixelFormat::rgba16f, 2, rgba16f}, {PixelFormat::rgba32f, 4, rgba32f},
-    {PixelFormat::rgb9e5, 4, rgb9e5},   {PixelFormat::b10g11r11, 4, b10g11r11},
-    {PixelFormat::rg16f, 2, rg16f},     {PixelFormat::rg32f, 4, rg32f},
+    {PixelFormat::rgba16f, 2, rgba16f},     {PixelFormat::rgba32f, 4, rgba32f},
+    {PixelFormat::rgb9e5, 4, rgb9e5},       {PixelFormat::b10g11r11, 4, b10g11r11},
+    {PixelFormat::rg16f, 2, rg16f},         {PixelFormat::rg32f, 4, rg32f},
+    {PixelFormat::rg16unorm, 2, rg16unorm},
 };
 
 const Layout& layout_of(PixelFormat format) { return layouts[static_cast<size_t>(format)]; }

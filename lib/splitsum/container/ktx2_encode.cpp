@@ -79,6 +79,7 @@ ktx2::Header header_of(const TextureAsset& texture, const Ktx2Options& options) 
     header.type_size = ktx2::type_size_of(texture.format);
     header.pixel_width = static_cast<uint32_t>(texture.width);
     header.pixel_height = static_cast<uint32_t>(texture.height);
+    header.layer_count = texture.layer_count > 1 ? static_cast<uint32_t>(texture.layer_count) : 0;
     header.face_count = static_cast<uint32_t>(texture.face_count);
     header.level_count = static_cast<uint32_t>(texture.levels.size());
     header.supercompression =

@@ -13,6 +13,9 @@ namespace splitsum {
 /// The widest texture that any GPU takes (Vulkan's maxImageDimension2D), in texels.
 inline constexpr int largest_edge = 32768;
 
+/// The most layers of an array, with room to spare beyond Vulkan's required 256.
+inline constexpr uint32_t most_layers = 4096;
+
 /// Bytes of decoded texels. A cubemap of 8192² half floats with all its levels takes 4.3e9.
 inline constexpr uint64_t largest_texture = uint64_t{8} << 30;
 

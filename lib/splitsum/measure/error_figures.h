@@ -20,6 +20,8 @@ struct ErrorFigures {
 /// values are 0 too and infinite otherwise. NaN in either list makes every figure NaN or infinite,
 /// never a good one.
 ErrorFigures error_figures(std::span<const Vec3> values, std::span<const Vec3> reference);
-ErrorFigures error_figures(std::span<const Vec2> values, std::span<const Vec2> reference);
+/// The same for texels of `channels` numbers each.
+ErrorFigures error_figures(std::span<const float> values, std::span<const float> reference,
+                           int channels);
 
 }  // namespace splitsum

@@ -8,7 +8,6 @@ namespace splitsum {
 namespace {
 
 constexpr int largest_face = 8192;
-constexpr int largest_table = 8192;
 constexpr int most_samples = 1 << 24;
 constexpr int highest_order = 128;
 
@@ -61,12 +60,6 @@ Status validate(const IrradiancePlan& plan) {
     const Status size = check_range("the size of a cube face", plan.face_size, 1, largest_face);
     if (!size) return size;
     return check_range("the order of the harmonics", plan.harmonics_order, 0, highest_order);
-}
-
-Status validate(const TablePlan& plan) {
-    const Status size = check_range("the size of the table", plan.size, 1, largest_table);
-    if (!size) return size;
-    return check_range("the number of samples", plan.samples, 1, most_samples);
 }
 
 }  // namespace splitsum

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "splitsum/base/result.h"
-#include "splitsum/brdf/smith.h"
 #include "splitsum/plan/roughness_curve.h"
+#include "splitsum/plan/table_plan.h"
 #include "splitsum/sphere/orientation.h"
 
 namespace splitsum {
@@ -36,17 +36,9 @@ struct IrradiancePlan {
     bool store_irradiance = false;  ///< store E itself instead of E / pi
 };
 
-/// The split-sum table over (n·v, perceptual roughness), texel centres.
-struct TablePlan {
-    int size = 512;
-    int samples = 1024;
-    SmithTerm geometry = SmithTerm::height_correlated;
-};
-
 /// Fail with bad_argument: what was asked, and what would work.
 Status validate(const FilterPlan& plan);
 Status validate(const SpecularPlan& plan);
 Status validate(const IrradiancePlan& plan);
-Status validate(const TablePlan& plan);
 
 }  // namespace splitsum

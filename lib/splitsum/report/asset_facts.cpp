@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <iomanip>
 #include <string_view>
 
 #include "splitsum/base/text.h"
@@ -13,7 +14,7 @@ namespace {
 
 using Metadata = std::map<std::string, std::string>;
 
-constexpr std::array<std::string_view, 3> kind_names = {"specular", "irradiance", "split-sum"};
+constexpr std::array<std::string_view, 3> kind_names = {"specular", "irradiance", "table"};
 
 template <class Number>
 std::string number_text(Number value) {  // the shortest text that reads back to the same number
@@ -53,11 +54,42 @@ void describe_specular(const AssetFacts& facts, Metadata& metadata) {
         join(facts.perceptual_roughness, " ", [](double r) { return number_text(r); });
 }
 
-void describe_table(const TablePlan& plan, Metadata& metadata) {
-    metadata["splitsum.value"] = "split sum: albedo = F0 * red + green";
-    metadata["splitsum.axes"] = "x = n.v, y = perceptual roughness, texel centres, row 0 lowest";
-    metadata["splitsum.geometry"] = info_of(plan.geometry).name;
+// "x = n.v, y = perceptual roughness, texel centres, row 0 lowest": for people.
+std::string axes_text(const TableFacts& facts) {
+    const TablePlan& plan = facts.plan;
+    const bool is_alpha = plan.roughness_axis == RoughnessAxis::alpha;
+    const std::string roughness = is_alpha ? "alpha" : "perceptual roughness";
+    const bool view_first = plan.axes == TableAxes::nv_roughness;
+    const bool at_edges = plan.layout == TexelLayout::edge;
+    return cat("x = ", view_first ? facts.view_axis : roughness,
+               ", y = ", view_first ? roughness : facts.view_axis,
+               at_edges ? ", first and last texel at 0 and 1" : ", texel centres",
+               plan.flip ? ", row 0 highest" : ", row 0 lowest");
+}
+
+// Three digits: figures that were measured.
+std::string figure_text(double figure) {
+    std::ostringstream text;
+    text << std::setprecision(3) << figure;
+    return text.str();
+}
+
+void describe_table(const TableFacts& facts, Metadata& metadata) {
+    const TablePlan& plan = facts.plan;
+    metadata["splitsum.table"] = plan.kind;
+    metadata["splitsum.value"] = facts.value;
+    metadata["splitsum.axes"] = axes_text(facts);
+    metadata["splitsum.view_axis"] = facts.view_axis;
+    metadata["splitsum.axes_order"] = name_of(table_axes(), plan.axes);
+    metadata["splitsum.layout"] = name_of(texel_layouts(), plan.layout);
+    metadata["splitsum.roughness_axis"] = name_of(roughness_axes(), plan.roughness_axis);
+    metadata["splitsum.flip"] = flag_text(plan.flip);
+    if (facts.has_geometry) metadata["splitsum.geometry"] = info_of(plan.geometry).name;
+    metadata["splitsum.method"] = plan.method;
     metadata["splitsum.samples"] = number_text(plan.samples);
+    metadata["splitsum.max_abs"] = figure_text(facts.max_abs);
+    metadata["splitsum.max_abs_between"] = figure_text(facts.max_abs_between);
+    metadata["splitsum.max_abs_in_rim"] = figure_text(facts.max_abs_in_rim);
 }
 
 // Reads values from the metadata; remembers the first that could not be read.
@@ -78,6 +110,19 @@ public:
     }
 
     bool flag(const std::string& key) { return text(key) == "true"; }
+
+    bool has(const std::string& key) const { return metadata_.contains(key); }
+
+    // The value that `rows` name so.
+    template <class Value>
+    Value named(const std::string& key, std::span<const NamedValue<Value>> rows) {
+        const std::string name = text(key);
+        if (const auto value = value_named(rows, name)) return *value;
+        if (problem_.empty())
+            problem_ = cat("the file says '", name, "' for '", key, "'; known are ",
+                           join(rows, ", ", [](const auto& row) { return row.name; }));
+        return rows.front().value;
+    }
 
     std::vector<double> numbers(const std::string& key) {
         std::vector<double> values;
@@ -127,11 +172,28 @@ void read_specular(Reader& reader, AssetFacts& facts) {
     if (name == "filament") facts.curve = {RoughnessCurve::Kind::filament, {}};
 }
 
-void read_table(Reader& reader, AssetFacts& facts) {
-    facts.table.samples = reader.number<int>("splitsum.samples");
-    const std::string geometry = reader.text("splitsum.geometry");
+SmithTerm geometry_named(std::string_view name) {
     for (const SmithTermInfo& info : smith_terms())
-        if (info.name == geometry) facts.table.geometry = info.term;
+        if (info.name == name) return info.term;
+    return smith_terms().front().term;
+}
+
+void read_table(Reader& reader, TableFacts& facts) {
+    TablePlan& plan = facts.plan;
+    plan.kind = reader.text("splitsum.table");
+    facts.value = reader.text("splitsum.value");
+    facts.view_axis = reader.text("splitsum.view_axis");
+    plan.axes = reader.named("splitsum.axes_order", table_axes());
+    plan.layout = reader.named("splitsum.layout", texel_layouts());
+    plan.roughness_axis = reader.named("splitsum.roughness_axis", roughness_axes());
+    plan.flip = reader.flag("splitsum.flip");
+    facts.has_geometry = reader.has("splitsum.geometry");
+    if (facts.has_geometry) plan.geometry = geometry_named(reader.text("splitsum.geometry"));
+    plan.method = reader.text("splitsum.method");
+    plan.samples = reader.number<int>("splitsum.samples");
+    facts.max_abs = reader.number<double>("splitsum.max_abs");
+    facts.max_abs_between = reader.number<double>("splitsum.max_abs_between");
+    facts.max_abs_in_rim = reader.number<double>("splitsum.max_abs_in_rim");
 }
 
 }  // namespace
@@ -140,11 +202,11 @@ std::map<std::string, std::string> metadata_of(const AssetFacts& facts) {
     Metadata metadata;
     metadata["splitsum.asset"] = kind_names[size_t(facts.kind)];
     metadata["splitsum.version"] = version;
-    if (facts.kind != AssetFacts::Kind::split_sum) describe_cubemap(facts, metadata);
+    if (facts.kind != AssetFacts::Kind::table) describe_cubemap(facts, metadata);
     if (facts.kind == AssetFacts::Kind::specular) describe_specular(facts, metadata);
     if (facts.kind == AssetFacts::Kind::irradiance)
         metadata["splitsum.value"] = facts.stores_irradiance ? "irradiance" : "irradiance / pi";
-    if (facts.kind == AssetFacts::Kind::split_sum) describe_table(facts.table, metadata);
+    if (facts.kind == AssetFacts::Kind::table) describe_table(facts.table, metadata);
     return metadata;
 }
 
@@ -157,8 +219,8 @@ Result<AssetFacts> facts_of(const Metadata& metadata) {
         return Error{ErrorKind::unusable_input,
                      name.empty() ? reader.problem() : cat("an asset of kind '", name, "'")};
     facts.kind = AssetFacts::Kind(kind - kind_names.begin());
-    if (facts.kind == AssetFacts::Kind::split_sum)
-        read_table(reader, facts);
+    if (facts.kind == AssetFacts::Kind::table)
+        read_table(reader, facts.table);
     else
         read_cubemap(reader, facts);
     if (facts.kind == AssetFacts::Kind::specular) read_specular(reader, facts);

@@ -19,11 +19,22 @@ struct SourceFacts {
     long repaired_texels = 0;  ///< NaN, infinite or negative texels that were replaced
 };
 
+/// What a table is, as its file says it.
+struct TableFacts {
+    TablePlan plan;                                              ///< without an automatic size
+    std::string value = "split sum: albedo = F0 * red + green";  ///< what a lookup returns
+    std::string view_axis = "n.v";                               ///< what the n·v axis counts in
+    bool has_geometry = true;                                    ///< whether plan.geometry matters
+    double max_abs = 0;          ///< measured on what is stored, at texels
+    double max_abs_between = 0;  ///< and between them, as a linear filter reads it
+    double max_abs_in_rim = 0;   ///< and outside of the outermost texel centres, clamped
+};
+
 /// Everything a reader needs in order to know what a lookup in a texture returns and how the
 /// texture was made: the conventions of lib/README.md, written into the file as text under
 /// "splitsum.*" keys and read back by splitsum-compare.
 struct AssetFacts {
-    enum class Kind { specular, irradiance, split_sum };
+    enum class Kind { specular, irradiance, table };
     Kind kind = Kind::specular;
     SourceFacts source;                        ///< of cubemaps
     Orientation orientation;                   ///< of cubemaps
@@ -31,7 +42,7 @@ struct AssetFacts {
     RoughnessCurve curve;                      ///< of specular chains
     std::vector<double> perceptual_roughness;  ///< of every level of a specular chain
     bool stores_irradiance = false;            ///< E rather than E / pi
-    TablePlan table;                           ///< of split-sum tables
+    TableFacts table;                          ///< of tables
 };
 
 std::map<std::string, std::string> metadata_of(const AssetFacts& facts);

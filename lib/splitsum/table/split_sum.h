@@ -1,9 +1,14 @@
 #pragma once
 
+#include <span>
+#include <string_view>
+#include <vector>
+
 #include "splitsum/base/progress.h"
 #include "splitsum/base/result.h"
-#include "splitsum/image/table.h"
-#include "splitsum/plan/asset_plan.h"
+#include "splitsum/brdf/smith.h"
+#include "splitsum/plan/table_plan.h"
+#include "splitsum/table/grid.h"
 
 namespace splitsum {
 
@@ -15,19 +20,29 @@ struct SplitSum {
     double b;
 };
 
-/// One texel by importance sampling with `samples` Hammersley points. `n_dot_v` in (0, 1], `alpha`
-/// in [0, 1]; alpha = 0 gives its exact limit, b = (1 - n·v)^5 and a = 1 - b.
-///
-/// The normals are drawn from those that the viewer sees (Heitz 2018), so that every sample weighs
-/// G2 / G1 <= 1 times Fresnel. (Drawn from D alone, the same 1024 points miss by up to 0.024 at
-/// grazing views: most of those normals face away.) fp32. Largest error of 1024 samples against
-/// split_sum_exact, every second row and column of a 512 x 512 table: 0.0017 for the
-/// height-correlated term, 0.0014 for both others; rms 0.0004. Cost: about 2.5 ns a sample.
-SplitSum split_sum_by_sampling(SmithTerm term, double n_dot_v, double alpha, int samples);
+/// The exact limit alpha = 0: b = (1 - n·v)^5 and a = 1 - b.
+SplitSum mirror_split_sum(double n_dot_v);
 
-/// The whole table of `plan`: a in x and b in y; texel (x, y) is at n·v = (x + 1/2) / size and
-/// perceptual roughness (y + 1/2) / size, row 0 the smoothest. Fails with bad_argument for an
-/// invalid plan and with interrupted when cancelled. The same bits for every number of threads.
-Result<Table> split_sum_table(const TablePlan& plan, Progress& progress);
+/// One way to compute the split sum over a grid. All methods answer the same question, so any of
+/// them can stand in for another, and each is tested against split_sum_exact.
+struct SplitSumMethod {
+    std::string_view name;     ///< as typed after --method
+    std::string_view summary;  ///< one line for --help
+    bool samples;              ///< whether TablePlan::samples matters
+    /// The sums row by row of the grid, for a valid plan. Reports as many steps as there are rows.
+    /// The same bits for every number of threads. Stops early when cancelled.
+    std::vector<SplitSum> (*bake)(const TablePlan& plan, const TableGrid& grid, Progress& progress);
+};
+
+/// Every method; the first is the default.
+std::span<const SplitSumMethod> split_sum_methods();
+
+/// The method with that name. Fails with bad_argument, naming what there is.
+Result<SplitSumMethod> find_split_sum_method(std::string_view name);
+
+/// The sums of the plan's method over `grid`. Fails with bad_argument for a method that does not
+/// exist and with interrupted when cancelled.
+Result<std::vector<SplitSum>> split_sums(const TablePlan& plan, const TableGrid& grid,
+                                         Progress& progress);
 
 }  // namespace splitsum

@@ -73,7 +73,7 @@ SplitSum integrate_theta(const Setting& at, double phi) {
     const auto f = [&](double theta) { return integrand(at, cos_phi, theta); };
     const double middle = 0.5 * horizon;
     // At the horizon n·l competes with alpha, and with n·v in the height-correlated term.
-    const double first = std::min(at.alpha, at.n_dot_v);
+    const double first = at.n_dot_v > 0 ? std::min(at.alpha, at.n_dot_v) : at.alpha;
     return integrate_graded(at.rule, 0, middle, first, f) +
            integrate_graded(at.rule, horizon, middle, first, f);
 }
@@ -90,10 +90,12 @@ SplitSum split_sum_exact(SmithTerm term, double n_dot_v, double alpha, int nodes
     const Setting at{term, n_dot_v, sin_v, alpha, rule};
     const auto f = [&](double phi) { return integrate_theta(at, phi); };
     // At grazing views the horizon moves from one side of the lobe to the other within an angle of
-    // n·v about phi = pi / 2.
+    // n·v about phi = pi / 2; seen edge on, the far half of the circle is below it and n·l
+    // competes with alpha there.
     constexpr double quarter = 0.5 * std::numbers::pi;
-    const SplitSum half = integrate_graded(rule, quarter, 0, n_dot_v, f) +
-                          integrate_graded(rule, quarter, 2 * quarter, n_dot_v, f);
+    const double first = n_dot_v > 0 ? n_dot_v : alpha;
+    const SplitSum half = integrate_graded(rule, quarter, 0, first, f) +
+                          integrate_graded(rule, quarter, 2 * quarter, first, f);
     return {2 * half.a, 2 * half.b};
 }
 

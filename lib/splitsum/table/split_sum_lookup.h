@@ -5,7 +5,7 @@
 
 namespace splitsum {
 
-/// What a renderer reads from a split-sum table: bilinear between texel centres, clamped at the
+/// What a renderer reads from a split-sum table of two channels in the default arrangement: bilinear between texel centres, clamped at the
 /// edges. `n_dot_v` and `perceptual_roughness` are clamped to [0, 1]. This file is the twin
 /// of shaders/include/splitsum_split_sum.glsl; the sampler is the graphics interface's.
 SplitSum look_up(const Table& table, double n_dot_v, double perceptual_roughness);

@@ -17,15 +17,17 @@ namespace {
 static_assert(std::endian::native == std::endian::little,
               "texels are copied as they lie in memory");
 
-constexpr std::array<float, 3> every_channel(float largest) { return {largest, largest, largest}; }
+constexpr std::array<float, 4> every_channel(float largest) {
+    return {largest, largest, largest, largest};
+}
 
 constexpr float largest_half = 65504;
 constexpr float largest_float = std::numeric_limits<float>::max();
 
 constexpr PixelFormatInfo formats[] = {
     {PixelFormat::rgba16f, "rgba16f", "half floats, 8 bytes a texel: what every engine reads", 97,
-     8, 3, every_channel(largest_half), true},
-    {PixelFormat::rgba32f, "rgba32f", "floats, 16 bytes a texel: nothing is lost", 109, 16, 3,
+     8, 4, every_channel(largest_half), true},
+    {PixelFormat::rgba32f, "rgba32f", "floats, 16 bytes a texel: nothing is lost", 109, 16, 4,
      every_channel(largest_float), true},
     {PixelFormat::rgb9e5, "rgb9e5", "three 9-bit mantissas with one exponent, 4 bytes a texel", 123,
      4, 3, every_channel(65408), false},
@@ -35,12 +37,15 @@ constexpr PixelFormatInfo formats[] = {
      122,
      4,
      3,
-     {65024, 65024, 64512},
+     {65024, 65024, 64512, 0},
      false},
     {PixelFormat::rg16f, "rg16f", "two half floats, 4 bytes a texel: tables", 83, 4, 2,
      every_channel(largest_half), true},
     {PixelFormat::rg32f, "rg32f", "two floats, 8 bytes a texel: tables without loss", 103, 8, 2,
      every_channel(largest_float), true},
+    {PixelFormat::rg16unorm, "rg16unorm",
+     "two 65535ths of 1, 4 bytes a texel: tables between 0 and 1", 77, 4, 2, every_channel(1),
+     false},
 };
 
 float clamped(const PixelFormatInfo& info, int channel, float value, EncodeCounts& counts) {
@@ -54,7 +59,7 @@ float clamped(const PixelFormatInfo& info, int channel, float value, EncodeCount
     return value < 0 ? -largest : largest;
 }
 
-// One texel of each format: from and to `channels` floats that fit.
+// One texel of each format: from and to all of its channels, as floats that fit.
 using TexelEncoder = void (*)(const float* values, std::byte* texel);
 using TexelDecoder = void (*)(const std::byte* texel, float* values);
 
@@ -72,12 +77,10 @@ Stored load(const std::byte* texel) {
 
 void encode_rgba16f(const float* v, std::byte* texel) {
     store(texel, std::array<uint16_t, 4>{imath_float_to_half(v[0]), imath_float_to_half(v[1]),
-                                         imath_float_to_half(v[2]), imath_float_to_half(1)});
+                                         imath_float_to_half(v[2]), imath_float_to_half(v[3])});
 }
 
-void encode_rgba32f(const float* v, std::byte* texel) {
-    store(texel, std::array<float, 4>{v[0], v[1], v[2], 1});
-}
+void encode_rgba32f(const float* v, std::byte* texel) { std::memcpy(texel, v, 16); }
 
 void encode_rgb9e5(const float* v, std::byte* texel) {
     store(texel, bits_of_rgb9e5({v[0], v[1], v[2]}));
@@ -93,6 +96,18 @@ void encode_rg16f(const float* v, std::byte* texel) {
 }
 
 void encode_rg32f(const float* v, std::byte* texel) { std::memcpy(texel, v, 8); }
+
+// In fp64, where 65535 v + 1/2 is exact enough that no tie goes astray.
+uint16_t unorm_of(float v) { return static_cast<uint16_t>(65535.0 * static_cast<double>(v) + 0.5); }
+
+void encode_rg16unorm(const float* v, std::byte* texel) {
+    store(texel, std::array<uint16_t, 2>{unorm_of(v[0]), unorm_of(v[1])});
+}
+
+void decode_rg16unorm(const std::byte* texel, float* v) {
+    const auto stored = load<std::array<uint16_t, 2>>(texel);
+    for (size_t c = 0; c < 2; ++c) v[c] = static_cast<float>(stored[c] / 65535.0);
+}
 
 template <int channels>
 void decode_halfs(const std::byte* texel, float* v) {
@@ -117,13 +132,15 @@ void decode_b10g11r11(const std::byte* texel, float* v) {
     v[2] = imath_half_to_float(static_cast<uint16_t>((bits >> 22) << 5));
 }
 
+constexpr std::array<float, 4> absent_channels = {0, 0, 0, 1};
+
 template <TexelEncoder encode_texel>
-EncodeCounts encode_run(const PixelFormatInfo& info, const float* values, std::byte* bytes,
-                        size_t texels) {
+EncodeCounts encode_run(const PixelFormatInfo& info, int channels, const float* values,
+                        std::byte* bytes, size_t texels) {
     EncodeCounts counts;
-    for (size_t i = 0; i < texels; ++i, values += info.channels, bytes += info.bytes_per_texel) {
-        std::array<float, 3> fitting{};
-        for (int c = 0; c < info.channels; ++c)
+    for (size_t i = 0; i < texels; ++i, values += channels, bytes += info.bytes_per_texel) {
+        std::array<float, 4> fitting = absent_channels;
+        for (int c = 0; c < channels; ++c)
             fitting[static_cast<size_t>(c)] = clamped(info, c, values[c], counts);
         encode_texel(fitting.data(), bytes);
     }
@@ -131,24 +148,29 @@ EncodeCounts encode_run(const PixelFormatInfo& info, const float* values, std::b
 }
 
 template <TexelDecoder decode_texel>
-void decode_run(const PixelFormatInfo& info, const std::byte* bytes, float* values, size_t texels) {
-    for (size_t i = 0; i < texels; ++i, values += info.channels, bytes += info.bytes_per_texel)
-        decode_texel(bytes, values);
+void decode_run(const PixelFormatInfo& info, int channels, const std::byte* bytes, float* values,
+                size_t texels) {
+    for (size_t i = 0; i < texels; ++i, values += channels, bytes += info.bytes_per_texel) {
+        std::array<float, 4> stored;
+        decode_texel(bytes, stored.data());
+        std::copy_n(stored.data(), channels, values);
+    }
 }
 
 struct Codec {
     PixelFormat format;
-    EncodeCounts (*encode)(const PixelFormatInfo&, const float*, std::byte*, size_t);
-    void (*decode)(const PixelFormatInfo&, const std::byte*, float*, size_t);
+    EncodeCounts (*encode)(const PixelFormatInfo&, int, const float*, std::byte*, size_t);
+    void (*decode)(const PixelFormatInfo&, int, const std::byte*, float*, size_t);
 };
 
 constexpr Codec codecs[] = {
-    {PixelFormat::rgba16f, encode_run<encode_rgba16f>, decode_run<decode_halfs<3>>},
-    {PixelFormat::rgba32f, encode_run<encode_rgba32f>, decode_run<decode_floats<3>>},
+    {PixelFormat::rgba16f, encode_run<encode_rgba16f>, decode_run<decode_halfs<4>>},
+    {PixelFormat::rgba32f, encode_run<encode_rgba32f>, decode_run<decode_floats<4>>},
     {PixelFormat::rgb9e5, encode_run<encode_rgb9e5>, decode_run<decode_rgb9e5>},
     {PixelFormat::b10g11r11, encode_run<encode_b10g11r11>, decode_run<decode_b10g11r11>},
     {PixelFormat::rg16f, encode_run<encode_rg16f>, decode_run<decode_halfs<2>>},
     {PixelFormat::rg32f, encode_run<encode_rg32f>, decode_run<decode_floats<2>>},
+    {PixelFormat::rg16unorm, encode_run<encode_rg16unorm>, decode_run<decode_rg16unorm>},
 };
 
 // Both tables are in the order of the enumeration, so that a format is its own index.
@@ -189,32 +211,38 @@ const PixelFormatInfo* find_pixel_format(std::string_view name) {
     return found == std::end(formats) ? nullptr : found;
 }
 
-EncodeCounts encode_texels(PixelFormat format, std::span<const float> values,
+bool holds_colours(const PixelFormatInfo& info) { return info.channels >= 3; }
+bool holds_tables(const PixelFormatInfo& info) { return info.channels != 3; }
+
+EncodeCounts encode_texels(PixelFormat format, int channel_count, std::span<const float> values,
                            std::span<std::byte> bytes) {
     const PixelFormatInfo& info = info_of(format);
-    const auto channels = static_cast<size_t>(info.channels);
+    assert(channel_count >= 1 && channel_count <= info.channels);
+    const auto channels = static_cast<size_t>(channel_count);
     const auto stride = static_cast<size_t>(info.bytes_per_texel);
     const size_t texels = values.size() / channels;
     assert(values.size() == texels * channels && bytes.size() == texels * stride);
     const auto encode = codecs[static_cast<size_t>(format)].encode;
     return ordered_sum(chunks_of(texels), [&](int index) {
         const Chunk chunk = chunk_at(index, texels);
-        return encode(info, values.data() + chunk.first * channels,
+        return encode(info, channel_count, values.data() + chunk.first * channels,
                       bytes.data() + chunk.first * stride, chunk.count);
     });
 }
 
-void decode_texels(PixelFormat format, std::span<const std::byte> bytes, std::span<float> values) {
+void decode_texels(PixelFormat format, int channel_count, std::span<const std::byte> bytes,
+                   std::span<float> values) {
     const PixelFormatInfo& info = info_of(format);
-    const auto channels = static_cast<size_t>(info.channels);
+    assert(channel_count >= 1 && channel_count <= info.channels);
+    const auto channels = static_cast<size_t>(channel_count);
     const auto stride = static_cast<size_t>(info.bytes_per_texel);
     const size_t texels = bytes.size() / stride;
     assert(bytes.size() == texels * stride && values.size() == texels * channels);
     const auto decode = codecs[static_cast<size_t>(format)].decode;
     parallel_rows(chunks_of(texels), [&](int index) {
         const Chunk chunk = chunk_at(index, texels);
-        decode(info, bytes.data() + chunk.first * stride, values.data() + chunk.first * channels,
-               chunk.count);
+        decode(info, channel_count, bytes.data() + chunk.first * stride,
+               values.data() + chunk.first * channels, chunk.count);
     });
 }
 

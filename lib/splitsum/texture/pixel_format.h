@@ -9,7 +9,7 @@
 namespace splitsum {
 
 /// How one texel is stored. Little-endian, as KTX 2 asks for.
-enum class PixelFormat { rgba16f, rgba32f, rgb9e5, b10g11r11, rg16f, rg32f };
+enum class PixelFormat { rgba16f, rgba32f, rgb9e5, b10g11r11, rg16f, rg32f, rg16unorm };
 
 /// What there is to know about a format without decoding it.
 struct PixelFormatInfo {
@@ -18,8 +18,8 @@ struct PixelFormatInfo {
     std::string_view summary;  ///< one line for --help
     uint32_t vk_format;        ///< VkFormat of the Vulkan specification
     int bytes_per_texel;
-    int channels;                  ///< 2 or 3; rgba formats hold RGB and alpha 1
-    std::array<float, 3> largest;  ///< the largest finite value of each channel
+    int channels;                  ///< 2, 3 or 4 that are stored
+    std::array<float, 4> largest;  ///< the largest finite value of each channel
     bool holds_negative;           ///< down to -largest
 };
 
@@ -44,19 +44,29 @@ struct EncodeCounts {
     friend EncodeCounts operator+(EncodeCounts a, const EncodeCounts& b) { return a += b; }
 };
 
-/// Encodes `values` (info_of(format).channels floats a texel, all finite) to `bytes`
-/// (bytes_per_texel each). Floats of all widths round to nearest, ties to even; rgb9e5 rounds as its
+/// Whether the colours of a cubemap can be stored in it, and the numbers of a table.
+bool holds_colours(const PixelFormatInfo& info);
+bool holds_tables(const PixelFormatInfo& info);
+
+/// Encodes `values` (`channels` floats a texel, all finite) to `bytes` (bytes_per_texel each). What
+/// the format stores beyond `channels` is what a shader reads of a channel that is not there: 0, and
+/// 1 for alpha. 1 <= channels <= info_of(format).channels.
+///
+/// Floats of all widths round to nearest, ties to even; rgb9e5 rounds as its
 /// own formula does, ties up. Values that do not fit are changed and counted: never Inf, never
 /// silent. The result does not depend on the number of threads.
 ///
 /// rgb9e5: EXT_texture_shared_exponent (Brown, Licea-Kane 2007), "Encoding"; the exponent belongs to
 /// the largest channel, so a channel's rounding error is at most 1/1024 of the power of two above
 /// the largest one.
+/// rg16unorm: whole 65535ths of 1, rounded to nearest.
 /// b10g11r11: floats without sign of 6, 6 and 5 mantissa bits, exponent bias 15, with denormals.
-EncodeCounts encode_texels(PixelFormat format, std::span<const float> values,
+EncodeCounts encode_texels(PixelFormat format, int channels, std::span<const float> values,
                            std::span<std::byte> bytes);
 
-/// The inverse of encode_texels, exact: every stored value is a float.
-void decode_texels(PixelFormat format, std::span<const std::byte> bytes, std::span<float> values);
+/// The inverse of encode_texels, of the first `channels` channels. Exact, because every stored value
+/// is a float, but for rg16unorm, which is rounded to the nearest float.
+void decode_texels(PixelFormat format, int channels, std::span<const std::byte> bytes,
+                   std::span<float> values);
 
 }  // namespace splitsum

@@ -149,6 +149,20 @@ TEST(ExrTable, ComesBackWithItsMetadata) {
         EXPECT_EQ(back->metadata, texture.metadata);
     }
     EXPECT_FALSE(encode_exr_table(sample_cube(PixelFormat::rgba16f)));
+    EXPECT_FALSE(encode_exr_table(sample_table(PixelFormat::rg16unorm)));
+}
+
+TEST(ExrTable, KeepsChannelsAndLayers) {
+    for (const auto format :
+         {PixelFormat::rg16f, PixelFormat::rg32f, PixelFormat::rgba16f, PixelFormat::rgba32f})
+        for (const int layers : {1, 2, 3}) {
+            const TextureAsset texture = sample_table(format, info_of(format).channels, layers);
+            const auto file = encode_exr_table(texture);
+            ASSERT_TRUE(file) << file.error().message;
+            const auto back = decode_exr_table(*file);
+            ASSERT_TRUE(back) << back.error().message;
+            EXPECT_TRUE(same_texels(*back, texture)) << info_of(format).name << " " << layers;
+        }
 }
 
 TEST(Exr, EveryPrefixIsUnreadable) {
@@ -177,6 +191,7 @@ TEST(Exr, AnyChangedByteIsReadOrRefused) {
     };
     check(*encode_exr_cube(sample_cube(PixelFormat::rgba16f, 2, 2)), decode_exr_cube);
     check(*encode_exr_table(sample_table(PixelFormat::rg32f)), decode_exr_table);
+    check(*encode_exr_table(sample_table(PixelFormat::rgba16f, 4, 2)), decode_exr_table);
 }
 
 TEST(Exr, TheOtherKindIsUnusable) {

@@ -50,7 +50,7 @@ Bytes encoded(const TextureAsset& texture, const Ktx2Options& options = plain) {
 }
 
 TextureAsset sample(const PixelFormatInfo& info) {
-    return info.channels == 3 ? sample_cube(info.format) : sample_table(info.format);
+    return holds_colours(info) ? sample_cube(info.format) : sample_table(info.format);
 }
 
 // The kind of error that a file of `kind` bytes with that change gives, or 0 for success.
@@ -79,7 +79,7 @@ TEST(Ktx2, EveryFormatComesBack) {
 }
 
 TEST(Ktx2, HeaderSaysWhatTheTextureIs) {
-    const uint32_t type_sizes[] = {2, 4, 4, 4, 2, 4};
+    const uint32_t type_sizes[] = {2, 4, 4, 4, 2, 4, 2};
     for (const PixelFormatInfo& info : pixel_formats()) {
         const TextureAsset texture = sample(info);
         const Bytes file = encoded(texture);
@@ -255,6 +255,24 @@ TEST(Ktx2, RefusesWhatContradictsItself) {
     EXPECT_EQ(after_long(index_at + 8, 8), "unreadable") << "a level that is too short";
 }
 
+TEST(Ktx2, KeepsTheLayersOfAnArray) {
+    for (const PixelFormatInfo& info : pixel_formats()) {
+        if (!holds_tables(info)) continue;
+        const TextureAsset texture = sample_table(info.format, info.channels, 3);
+        for (const Ktx2Options& options : {plain, zstd}) {
+            const Bytes file = encoded(texture, options);
+            EXPECT_EQ(word(file, layers_at), 3u);
+            EXPECT_EQ(word(file, faces_at), 1u);
+            const auto back = decode_ktx2(file);
+            ASSERT_TRUE(back) << back.error().message;
+            EXPECT_TRUE(same_texels(*back, texture)) << info.name;
+            EXPECT_EQ(outcome(file, [&](Bytes& f) { set(f, layers_at, 4); }), "unreadable");
+            EXPECT_EQ(outcome(file, [&](Bytes& f) { set(f, layers_at, 0xffffffff); }),
+                      "unreadable");
+        }
+    }
+}
+
 TEST(Ktx2, RefusesOtherKindsOfTexture) {
     const Bytes good = encoded(sample_cube(PixelFormat::rgba16f));
     const auto after = [&](size_t offset, uint32_t value) {
@@ -264,7 +282,7 @@ TEST(Ktx2, RefusesOtherKindsOfTexture) {
     EXPECT_EQ(after(vk_format_at, 0), "unusable") << "Basis";
     EXPECT_EQ(after(height_at, 0), "unusable") << "1D";
     EXPECT_EQ(after(depth_at, 4), "unusable") << "3D";
-    EXPECT_EQ(after(layers_at, 2), "unusable") << "array";
+    EXPECT_EQ(after(layers_at, 2), "unusable") << "array of cubemaps";
     EXPECT_EQ(after(scheme_at, 3), "unusable") << "zlib";
     EXPECT_EQ(outcome(good,
                       [&](Bytes& file) {  // "rd" of KTXorientation

@@ -33,11 +33,18 @@ inline TextureAsset sample_cube(PixelFormat format, int face_size = 8, int level
     return texture;
 }
 
-/// (x + 1, 10 (y + 1)), 5 x 3 texels.
-inline TextureAsset sample_table(PixelFormat format) {
-    Table table{5, 3, {}};
-    for (int y = 0; y < table.height; ++y)
-        for (int x = 0; x < table.width; ++x) table.texels.emplace_back(x + 1, 10 * (y + 1));
+/// (x + 1, 10 (y + 1), layer + 1, 7) cut to `channels`, 5 x 3 texels; sixty-fourths of it for formats
+/// that end at 1.
+inline TextureAsset sample_table(PixelFormat format, int channels = 2, int layers = 1) {
+    Table table = blank_table(5, 3, channels, layers);
+    const float unit = info_of(format).largest[0] > 1 ? 1.0F : 1.0F / 64;
+    for (int layer = 0; layer < layers; ++layer)
+        for (int y = 0; y < table.height; ++y)
+            for (int x = 0; x < table.width; ++x) {
+                const int texel[] = {x + 1, 10 * (y + 1), layer + 1, 7};
+                for (int c = 0; c < channels; ++c)
+                    table.texel(x, y, layer)[size_t(c)] = unit * float(texel[c]);
+            }
     EncodeCounts counts;
     TextureAsset texture = texture_from_table(table, format, counts);
     texture.metadata = {{"splitsum.table", "split sum"}};
@@ -46,7 +53,7 @@ inline TextureAsset sample_table(PixelFormat format) {
 
 inline bool same_texels(const TextureAsset& a, const TextureAsset& b) {
     return a.format == b.format && a.width == b.width && a.height == b.height &&
-           a.face_count == b.face_count && a.levels == b.levels;
+           a.face_count == b.face_count && a.layer_count == b.layer_count && a.levels == b.levels;
 }
 
 }  // namespace splitsum

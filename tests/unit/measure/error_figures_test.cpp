@@ -82,9 +82,9 @@ TEST(ErrorFigures, NeverGiveNotANumberAGoodFigure) {
 }
 
 TEST(ErrorFigures, OfTablesAreTheSameFigures) {
-    const std::vector<Vec2> table = {{0.5f, 0.25f}, {1, 0}};
-    const std::vector<Vec2> other = {{0.5f, 0.75f}, {1, 0}};
-    const ErrorFigures figures = error_figures(table, other);
+    const std::vector<float> table = {0.5f, 0.25f, 1, 0};
+    const std::vector<float> other = {0.5f, 0.75f, 1, 0};
+    const ErrorFigures figures = error_figures(table, other, 2);
     EXPECT_NEAR(figures.max_abs, 0.5, 1e-7);
     EXPECT_NEAR(figures.max_rel, 2.0 / 3, 1e-7);
     EXPECT_NEAR(figures.rel_rms, 0.5 / std::sqrt(0.25 + 0.5625 + 1), 1e-7);

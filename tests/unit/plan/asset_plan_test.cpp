@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace splitsum {
 namespace {
 
@@ -23,7 +25,7 @@ TEST(AssetPlan, DefaultsAreValid) {
 TEST(AssetPlan, LimitsAreInclusive) {
     EXPECT_TRUE(validate(SpecularPlan{.face_size = 1, .levels = 1, .roughness = {}}));
     EXPECT_TRUE(validate(SpecularPlan{.face_size = 8192, .levels = 14, .roughness = {}}));
-    EXPECT_TRUE(validate(TablePlan{.size = 1, .samples = 1}));
+    EXPECT_TRUE(validate(TablePlan{.size = 1, .samples = 1, .accuracy = 1e-7}));
     EXPECT_TRUE(validate(IrradiancePlan{.face_size = 1, .harmonics_order = 0}));
 }
 
@@ -35,6 +37,10 @@ TEST(AssetPlan, RefusesNumbersOutOfRangeAndNamesThem) {
     expect_refused(IrradiancePlan{.harmonics_order = -1}, "got -1");
     expect_refused(TablePlan{.size = -4}, "got -4");
     expect_refused(TablePlan{.samples = 0}, "got 0");
+    expect_refused(TablePlan{.accuracy = 1e-8}, "got 1e-08");
+    expect_refused(TablePlan{.accuracy = std::nan("")}, "got nan");
+    expect_refused(TablePlan{.size = TablePlan::automatic_size}, "1e-3");
+    expect_refused(TablePlan{.size = 1, .layout = TexelLayout::edge}, "got 1");
 }
 
 TEST(AssetPlan, AChainEndsAtOneTexel) {

@@ -24,9 +24,21 @@ AssetFacts cubemap_facts(AssetFacts::Kind kind) {
 
 AssetFacts table_facts() {
     AssetFacts facts;
-    facts.kind = AssetFacts::Kind::split_sum;
-    facts.table.geometry = SmithTerm::schlick_sqrt;
-    facts.table.samples = 99;
+    facts.kind = AssetFacts::Kind::table;
+    TablePlan& plan = facts.table.plan;
+    plan.kind = "energy";
+    plan.method = "importance";
+    plan.geometry = SmithTerm::schlick_sqrt;
+    plan.samples = 99;
+    plan.layout = TexelLayout::edge;
+    plan.axes = TableAxes::roughness_nv;
+    plan.roughness_axis = RoughnessAxis::alpha;
+    plan.flip = true;
+    facts.table.value = "something else";
+    facts.table.view_axis = "sqrt(1 - n.v)";
+    facts.table.max_abs = 1.25e-7;
+    facts.table.max_abs_between = 0.00325;
+    facts.table.max_abs_in_rim = 0.5;
     return facts;
 }
 
@@ -49,7 +61,7 @@ TEST(AssetFacts, SurviveTheRoundTripToTheLastBit) {
         EXPECT_EQ(read->orientation.mirror, facts.orientation.mirror);
         EXPECT_EQ(read->orientation.convention, facts.orientation.convention);
         EXPECT_EQ(read->filter.method, facts.filter.method);
-        if (facts.kind != AssetFacts::Kind::split_sum) {
+        if (facts.kind != AssetFacts::Kind::table) {
             EXPECT_EQ(read->filter.samples, facts.filter.samples);
         }
         EXPECT_EQ(read->filter.rotate_samples, facts.filter.rotate_samples);
@@ -57,7 +69,17 @@ TEST(AssetFacts, SurviveTheRoundTripToTheLastBit) {
         EXPECT_EQ(read->curve.kind, facts.curve.kind);
         EXPECT_EQ(read->perceptual_roughness, facts.perceptual_roughness);
         EXPECT_EQ(read->stores_irradiance, facts.stores_irradiance);
-        EXPECT_EQ(read->table.geometry, facts.table.geometry);
+        const TablePlan &found = read->table.plan, &plan = facts.table.plan;
+        EXPECT_EQ(found.kind, plan.kind);
+        EXPECT_EQ(found.method, plan.method);
+        EXPECT_EQ(found.geometry, plan.geometry);
+        EXPECT_EQ(found.layout, plan.layout);
+        EXPECT_EQ(found.axes, plan.axes);
+        EXPECT_EQ(found.roughness_axis, plan.roughness_axis);
+        EXPECT_EQ(found.flip, plan.flip);
+        EXPECT_EQ(read->table.max_abs, facts.table.max_abs);
+        EXPECT_EQ(read->table.max_abs_between, facts.table.max_abs_between);
+        EXPECT_EQ(read->table.max_abs_in_rim, facts.table.max_abs_in_rim);
         EXPECT_EQ(metadata_of(*read), metadata_of(facts));
     }
 }
@@ -74,7 +96,8 @@ TEST(AssetFacts, KeepAListOfRoughness) {
 // What only tells people something; everything else is needed.
 bool is_for_people(const std::string& key, AssetFacts::Kind kind) {
     return key == "splitsum.version" || key == "splitsum.color_space" || key == "splitsum.axes" ||
-           (key == "splitsum.value" && kind != AssetFacts::Kind::irradiance);
+           (key == "splitsum.value" && kind == AssetFacts::Kind::specular) ||
+           key == "splitsum.geometry";  // of tables that have one
 }
 
 TEST(AssetFacts, NameTheKeyThatIsMissing) {

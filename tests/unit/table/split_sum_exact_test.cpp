@@ -12,7 +12,7 @@ namespace splitsum {
 namespace {
 
 constexpr double alphas[] = {1e-6, 1e-3, 0.01, 0.1, 0.3, 0.7, 1};
-constexpr double cosines[] = {1e-4, 1e-3, 0.02, 0.3, 0.71, 0.99, 1};
+constexpr double cosines[] = {0, 1e-4, 1e-3, 0.02, 0.3, 0.71, 0.99, 1};
 
 // Another road: over light directions with plain vectors, the way the BRDF is usually written down.
 // The panels are uniform, so it needs a wide lobe.
@@ -49,7 +49,7 @@ TEST(SplitSumExact, DoesNotDependOnTheOrderOfTheRule) {
     for (const SmithTermInfo& info : smith_terms())
         for (const double alpha : alphas)
             for (const double n_dot_v : cosines) {
-                const SplitSum low = split_sum_exact(info.term, n_dot_v, alpha, 9);
+                const SplitSum low = split_sum_exact(info.term, n_dot_v, alpha);
                 const SplitSum high = split_sum_exact(info.term, n_dot_v, alpha, 16);
                 EXPECT_NEAR(low.a, high.a, 1e-9) << info.name << " " << alpha << " " << n_dot_v;
                 EXPECT_NEAR(low.b, high.b, 1e-9) << info.name << " " << alpha << " " << n_dot_v;
@@ -90,8 +90,8 @@ TEST(SplitSumExact, ReflectsNoMoreThanItReceives) {
 TEST(SplitSumExact, HasAClosedFormForTheRoughestSurface) {
     for (const double n_dot_v : cosines) {
         const SplitSum sum = split_sum_exact(SmithTerm::height_correlated, n_dot_v, 1);
-        EXPECT_NEAR(sum.a + sum.b, 1 - n_dot_v * std::log((1 + n_dot_v) / n_dot_v), 1e-10)
-            << n_dot_v;
+        const double lost = n_dot_v > 0 ? n_dot_v * std::log((1 + n_dot_v) / n_dot_v) : 0;
+        EXPECT_NEAR(sum.a + sum.b, 1 - lost, 1e-10) << n_dot_v;
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -13,15 +14,18 @@
 namespace splitsum {
 namespace {
 
+// As a cubemap or a table fills it: alpha is left out.
+int channels_of(const PixelFormatInfo& info) { return std::min(3, info.channels); }
+
 // What the format makes of `values`, through the stored bytes.
 std::vector<float> round_trip(PixelFormat format, const std::vector<float>& values,
                               EncodeCounts* counts = nullptr) {
     const PixelFormatInfo& info = info_of(format);
-    std::vector<std::byte> bytes(values.size() / info.channels * info.bytes_per_texel);
-    const EncodeCounts found = encode_texels(format, values, bytes);
+    std::vector<std::byte> bytes(values.size() / channels_of(info) * info.bytes_per_texel);
+    const EncodeCounts found = encode_texels(format, channels_of(info), values, bytes);
     if (counts) *counts = found;
     std::vector<float> back(values.size());
-    decode_texels(format, bytes, back);
+    decode_texels(format, channels_of(info), bytes, back);
     return back;
 }
 
@@ -29,17 +33,17 @@ template <class Stored>
 std::vector<float> decoded(PixelFormat format, const std::vector<Stored>& stored) {
     const auto bytes = std::as_bytes(std::span(stored));
     const PixelFormatInfo& info = info_of(format);
-    std::vector<float> values(bytes.size() / info.bytes_per_texel * info.channels);
-    decode_texels(format, bytes, values);
+    std::vector<float> values(bytes.size() / info.bytes_per_texel * channels_of(info));
+    decode_texels(format, channels_of(info), bytes, values);
     return values;
 }
 
 template <class Stored>
 std::vector<Stored> encoded(PixelFormat format, const std::vector<float>& values) {
     const PixelFormatInfo& info = info_of(format);
-    std::vector<Stored> stored(values.size() / info.channels * info.bytes_per_texel /
+    std::vector<Stored> stored(values.size() / channels_of(info) * info.bytes_per_texel /
                                sizeof(Stored));
-    encode_texels(format, values, std::as_writable_bytes(std::span(stored)));
+    encode_texels(format, channels_of(info), values, std::as_writable_bytes(std::span(stored)));
     return stored;
 }
 
@@ -53,7 +57,7 @@ std::vector<float> radiances(size_t count, uint32_t seed) {
 }
 
 TEST(PixelFormat, NamesFindTheirFormat) {
-    ASSERT_EQ(pixel_formats().size(), 6u);
+    ASSERT_EQ(pixel_formats().size(), 7u);
     for (const PixelFormatInfo& info : pixel_formats()) {
         EXPECT_EQ(find_pixel_format(info.name), &info) << info.name;
         EXPECT_EQ(&info_of(info.format), &info) << info.name;
@@ -218,15 +222,15 @@ TEST(PixelFormat, FloatFormatsKeepEveryFiniteValue) {
 
 TEST(PixelFormat, WhatIsTooLargeIsStoredAsTheLargestAndCounted) {
     for (const PixelFormatInfo& info : pixel_formats()) {
-        std::vector<float> fits(info.largest.begin(), info.largest.begin() + info.channels);
+        std::vector<float> fits(info.largest.begin(), info.largest.begin() + channels_of(info));
         EncodeCounts counts;
         EXPECT_EQ(round_trip(info.format, fits, &counts), fits) << info.name;
         EXPECT_EQ(counts.saturated, 0) << info.name;
 
-        for (int c = 0; c < info.channels; ++c) {
-            std::vector<float> sun(info.channels);
+        for (int c = 0; c < channels_of(info); ++c) {
+            std::vector<float> sun(channels_of(info));
             sun[c] = std::nextafter(info.largest[c], std::numeric_limits<float>::infinity());
-            std::vector<float> expected(info.channels);
+            std::vector<float> expected(channels_of(info));
             expected[c] = info.largest[c];
             EXPECT_EQ(round_trip(info.format, sun, &counts), expected) << info.name << c;
             EXPECT_EQ(counts.saturated, 1) << info.name << c;
@@ -258,7 +262,7 @@ TEST(PixelFormat, BytesAndCountsDoNotDependOnThreads) {
     std::vector<float> colours = radiances(3 * 30'001, 2);
     for (size_t i = 0; i < colours.size(); i += 17) colours[i] = -colours[i];
     for (const PixelFormatInfo& info : pixel_formats()) {
-        if (info.channels != 3) continue;
+        if (!holds_colours(info)) continue;
         const auto run = [&](int threads, EncodeCounts& counts) {
             const ThreadLimit limit(threads);
             return round_trip(info.format, colours, &counts);
@@ -269,6 +273,39 @@ TEST(PixelFormat, BytesAndCountsDoNotDependOnThreads) {
         EXPECT_EQ(alone.negative, together.negative) << info.name;
         EXPECT_GT(alone.saturated + (info.format == PixelFormat::rgba32f), 0) << info.name;
     }
+}
+
+// Every 65535th, its neighbours just short of and just past the tie, and what lies outside.
+TEST(PixelFormat, UnormsRoundToTheNearestAndAreCountedOutside) {
+    std::vector<float> values;
+    for (int i = 0; i <= 65535; i += 3)
+        for (const double off : {0.0, -0.49, 0.49})
+            values.push_back(std::clamp(static_cast<float>((i + off) / 65535), 0.0F, 1.0F));
+    if (values.size() % 2 != 0) values.push_back(0);
+    const auto back = round_trip(PixelFormat::rg16unorm, values);
+    for (size_t i = 0; i < values.size(); ++i)
+        ASSERT_NEAR(back[i], values[i], 0.495 / 65535) << values[i];
+    EncodeCounts counts;
+    EXPECT_EQ(round_trip(PixelFormat::rg16unorm, {-0.25F, 1.5F, 0, 1}, &counts),
+              (std::vector<float>{0, 1, 0, 1}));
+    EXPECT_EQ(counts.negative, 1);
+    EXPECT_EQ(counts.saturated, 1);
+}
+
+// What a shader reads of channels that a texture does not have: 0, and 1 for alpha.
+TEST(PixelFormat, AbsentChannelsAreZeroAndAlphaOne) {
+    for (const PixelFormatInfo& info : pixel_formats())
+        for (int channels = 1; channels <= info.channels; ++channels) {
+            const std::vector<float> values(static_cast<size_t>(channels), 0.25F);
+            std::vector<std::byte> bytes(static_cast<size_t>(info.bytes_per_texel));
+            encode_texels(info.format, channels, values, bytes);
+            std::vector<float> back(static_cast<size_t>(info.channels));
+            decode_texels(info.format, info.channels, bytes, back);
+            const float absent[] = {0, 0, 0, 1};
+            for (int c = 0; c < info.channels; ++c)
+                EXPECT_NEAR(back[size_t(c)], c < channels ? 0.25F : absent[c], 1e-5F)
+                    << info.name << " " << channels;
+        }
 }
 
 }  // namespace

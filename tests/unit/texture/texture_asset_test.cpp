@@ -51,25 +51,30 @@ TEST(TextureAsset, CountsWhatDidNotFitLevelByLevel) {
 }
 
 TEST(TextureAsset, ReadsBackTheTableItWasMadeOf) {
-    Table table{3, 2, {}};
-    for (float i : {0.f, 1.f, 2.f, 3.f, 4.f, 5.f})
-        table.texels.emplace_back(0.25f * i, 1 - 0.125f * i);
-    for (const auto format : {PixelFormat::rg16f, PixelFormat::rg32f}) {
-        EncodeCounts counts;
-        const TextureAsset texture = texture_from_table(table, format, counts);
-        EXPECT_TRUE(validate(texture));
-        const auto back = table_of(texture);
-        ASSERT_TRUE(back);
-        EXPECT_EQ(back->width, 3);
-        EXPECT_EQ(back->height, 2);
-        EXPECT_EQ(back->texels, table.texels);
-    }
+    for (const PixelFormatInfo& info : pixel_formats())
+        for (const int layers : {1, 3}) {
+            if (!holds_tables(info)) continue;
+            Table table = blank_table(3, 2, info.channels, layers);
+            float next = 0;
+            for (float& value : table.values) value = next, next += 0.0625F / 8;
+            EncodeCounts counts;
+            const TextureAsset texture = texture_from_table(table, info.format, counts);
+            EXPECT_TRUE(validate(texture));
+            EXPECT_EQ(texture.layer_count, layers);
+            const auto back = table_of(texture);
+            ASSERT_TRUE(back);
+            EXPECT_EQ(back->width, 3);
+            EXPECT_EQ(back->height, 2);
+            EXPECT_EQ(back->layers, layers);
+            for (size_t i = 0; i < table.values.size(); ++i)
+                EXPECT_NEAR(back->values[i], table.values[i], 1e-5F) << info.name;
+        }
 }
 
 TEST(TextureAsset, RefusesTheOtherKind) {
     EncodeCounts count;
     std::vector<EncodeCounts> counts;
-    const auto table = texture_from_table({1, 1, {Vec2(1, 2)}}, PixelFormat::rg16f, count);
+    const auto table = texture_from_table({1, 1, 2, 1, {1, 2}}, PixelFormat::rg16f, count);
     const std::vector<Cubemap> levels = {numbered_cubemap(1, 1)};
     const auto cube = texture_from_cubemaps(levels, PixelFormat::b10g11r11, counts);
     ASSERT_FALSE(cubemaps_of(table));
@@ -93,6 +98,8 @@ TEST(TextureAsset, ValidateNoticesEachBrokenPromise) {
     EXPECT_TRUE(broken([](TextureAsset& t) { t.width = 0; }));
     EXPECT_TRUE(broken([](TextureAsset& t) { t.height = 1; }));
     EXPECT_TRUE(broken([](TextureAsset& t) { t.face_count = 5; }));
+    EXPECT_TRUE(broken([](TextureAsset& t) { t.layer_count = 2; }));
+    EXPECT_TRUE(broken([](TextureAsset& t) { t.layer_count = 0; }));
     EXPECT_TRUE(broken([](TextureAsset& t) { t.levels.clear(); }));
     EXPECT_TRUE(broken([](TextureAsset& t) { t.levels.push_back(t.levels.back()); }));
     EXPECT_TRUE(broken([](TextureAsset& t) { t.levels[1].pop_back(); }));

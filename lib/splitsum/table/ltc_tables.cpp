@@ -1,0 +1,134 @@
+#include "splitsum/table/ltc_tables.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "splitsum/brdf/disney_diffuse.h"
+#include "splitsum/ltc/clipped_sphere.h"
+#include "splitsum/ltc/ltc_table.h"
+#include "splitsum/ltc/polygon_light.h"
+#include "splitsum/ltc/polygon_reference.h"
+#include "splitsum/table/split_sum.h"
+#include "splitsum/table/split_sum_exact.h"
+
+namespace splitsum {
+namespace {
+
+// What the first two channels of layer 1 hold.
+struct Magnitude {
+    double albedo;
+    double weighted;
+};
+
+// The lobes that are fitted are those of the height-correlated term, by the default method.
+TablePlan plan_of_magnitude(const TablePlan& plan) {
+    TablePlan fixed = plan;
+    fixed.geometry = SmithTerm::height_correlated;
+    fixed.method = TablePlan{}.method;
+    return fixed;
+}
+
+Result<std::vector<Magnitude>> magnitudes(LtcTarget target, const TablePlan& plan,
+                                          const TableGrid& grid, Progress& progress) {
+    std::vector<Magnitude> found;
+    if (target == LtcTarget::disney_diffuse) {
+        for (const double r : grid.perceptual_roughness)
+            for (const double n_dot_v : grid.n_dot_v)
+                found.push_back({disney_diffuse_albedo(DisneyDiffuse::burley, n_dot_v, r), 0});
+        return found;
+    }
+    const auto sums = split_sums(plan_of_magnitude(plan), grid, progress);
+    if (!sums) return sums.error();
+    for (const SplitSum& sum : *sums) found.push_back({sum.a + sum.b, sum.b});
+    return found;
+}
+
+double sphere_at(const TablePlan& plan, double n_dot_v, double perceptual_roughness) {
+    return clipped_sphere_ratio(
+        2 * coordinate_of_roughness(plan.roughness_axis, perceptual_roughness) - 1,
+        coordinate_of_n_dot_v(ViewAxis::sqrt_one_minus_cosine, n_dot_v));
+}
+
+Result<Table> bake_ltc(LtcTarget target, const TablePlan& plan, const TableGrid& grid,
+                       Progress& progress) {
+    const auto magnitude = magnitudes(target, plan, grid, progress);
+    if (!magnitude) return magnitude.error();
+    progress.begin("transformed cosines", static_cast<int>(grid.n_dot_v.size()));
+    const auto inverse = fit_ltc_table(target, grid.n_dot_v, grid.perceptual_roughness, progress);
+    if (!inverse) return inverse.error();
+
+    const int columns = static_cast<int>(grid.n_dot_v.size());
+    const int rows = static_cast<int>(grid.perceptual_roughness.size());
+    Table table = blank_table(columns, rows, 4, 2);
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < columns; ++x) {
+            const auto at = static_cast<size_t>(y) * grid.n_dot_v.size() + static_cast<size_t>(x);
+            const LtcInverse& m = (*inverse)[at];
+            const double sphere = sphere_at(plan, grid.n_dot_v[static_cast<size_t>(x)],
+                                            grid.perceptual_roughness[static_cast<size_t>(y)]);
+            std::ranges::transform(std::array{m.m00, m.m20, m.m02, m.m22},
+                                   table.texel(x, y, 0).begin(),
+                                   [](double value) { return static_cast<float>(value); });
+            std::ranges::transform(
+                std::array{(*magnitude)[at].albedo, (*magnitude)[at].weighted, 0.0, sphere},
+                table.texel(x, y, 1).begin(),
+                [](double value) { return static_cast<float>(value); });
+        }
+    return table;
+}
+
+using Polygon = std::vector<Vec3d>;
+
+// A panel where a mirror would show it, one beside it, a triangle overhead, a wall that stands on the
+// horizon, and a small light behind the viewer.
+const std::vector<Polygon>& judging_lights() {
+    static const std::vector<Polygon> lights = {
+        {{-1.5, -0.6, 0.3}, {-1.3, 0.9, 0.3}, {-0.9, 0.8, 1.4}, {-1.1, -0.7, 1.5}},
+        {{-0.9, 0.4, 0.1}, {-0.2, 1.2, 0.2}, {-0.3, 1.1, 1.0}, {-0.8, 0.5, 0.9}},
+        {{-0.8, -0.6, 1.0}, {0.7, -0.4, 1.1}, {-0.1, 1.0, 0.9}},
+        {{-1.0, -1.4, -0.5}, {-1.2, 0.3, -0.4}, {-1.1, 0.2, 0.6}, {-1.0, -1.5, 0.8}},
+        {{0.9, -0.1, 0.6}, {0.9, 0.2, 0.6}, {0.8, 0.2, 0.9}, {0.8, -0.1, 0.9}},
+    };
+    return lights;
+}
+
+double error_of_ltc(LtcTarget target, double n_dot_v, double perceptual_roughness,
+                    std::span<const double> read) {
+    Magnitude exact{disney_diffuse_albedo(DisneyDiffuse::burley, n_dot_v, perceptual_roughness), 0};
+    if (target == LtcTarget::ggx) {
+        const SplitSum sum = split_sum_exact(SmithTerm::height_correlated, n_dot_v,
+                                             perceptual_roughness * perceptual_roughness);
+        exact = {sum.a + sum.b, sum.b};
+    }
+    double error = std::max(std::abs(read[4] - exact.albedo), std::abs(read[5] - exact.weighted));
+    const LtcInverse inverse{.m00 = read[0], .m20 = read[1], .m02 = read[2], .m22 = read[3]};
+    const TargetLobe lobe(target, n_dot_v, perceptual_roughness);
+    for (const Polygon& light : judging_lights())
+        error = std::max(error, std::abs(read[4] * ltc_polygon_light(inverse, light) -
+                                         polygon_light_reference(lobe, light)));
+    return error;
+}
+
+}  // namespace
+
+Result<Table> bake_ltc_ggx(const TablePlan& plan, const TableGrid& grid, Progress& progress) {
+    return bake_ltc(LtcTarget::ggx, plan, grid, progress);
+}
+
+double error_of_ltc_ggx(const TablePlan&, double n_dot_v, double perceptual_roughness,
+                        std::span<const double> read) {
+    return error_of_ltc(LtcTarget::ggx, n_dot_v, perceptual_roughness, read);
+}
+
+Result<Table> bake_ltc_disney(const TablePlan& plan, const TableGrid& grid, Progress& progress) {
+    return bake_ltc(LtcTarget::disney_diffuse, plan, grid, progress);
+}
+
+double error_of_ltc_disney(const TablePlan&, double n_dot_v, double perceptual_roughness,
+                           std::span<const double> read) {
+    return error_of_ltc(LtcTarget::disney_diffuse, n_dot_v, perceptual_roughness, read);
+}
+
+}  // namespace splitsum
