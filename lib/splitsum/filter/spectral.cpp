@@ -94,6 +94,21 @@ LobePlan plan_lobe(FilterTables& tables, const Lobe& lobe, double negligible, do
     return {lobe, std::move(factors), std::nullopt};
 }
 
+// As many bands as these lobes can need, or fewer where what they leave out turns out not to matter:
+// the horizon of a rough lobe has some power in all bands, most skies have not.
+Spectrum transform_for(const FilterSource& source, std::span<const Lobe> lobes,
+                       const std::vector<LobePlan>& plans, double accuracy) {
+    int most = 1;
+    for (const LobePlan& plan : plans) most = std::max(most, int(plan.factors.size()) - 1);
+    const int guess = bands_to_transform(*source.tables, lobes, accuracy).value_or(most);
+    Spectrum spectrum = forward_transform(source.environment, std::min(guess, most));
+    const bool enough = std::ranges::all_of(plans, [&](const LobePlan& plan) {
+        const double bound = truncation_share * accuracy;
+        return band_limit(spectrum, plan.factors, bound).truncation_bound <= 2 * bound;
+    });
+    return enough ? std::move(spectrum) : forward_transform(source.environment, most);
+}
+
 FilteredLobe filter_lobe(const Spectrum& spectrum, const LobePlan& plan, double accuracy) {
     const BandLimit limit = band_limit(spectrum, plan.factors, truncation_share * accuracy);
     const auto factors = std::span(plan.factors).first(size_t(limit.bands));
@@ -114,10 +129,8 @@ std::unique_ptr<PreparedFilter> prepare_spectral(const FilterSource& source,
     parallel_rows(int(lobes.size()), [&](int i) {
         plans[size_t(i)] = plan_lobe(*source.tables, lobes[size_t(i)], negligible, plan.accuracy);
     });
-    size_t bands = 1;
-    for (const LobePlan& lobe : plans) bands = std::max(bands, lobe.factors.size() - 1);
     std::optional<Spectrum> own;
-    if (!source.spectrum) own = forward_transform(source.environment, int(bands));
+    if (!source.spectrum) own = transform_for(source, lobes, plans, plan.accuracy);
     const Spectrum& spectrum = source.spectrum ? *source.spectrum : *own;
     std::vector<FilteredLobe> filtered(lobes.size());
     parallel_rows(int(lobes.size()), [&](int i) {
