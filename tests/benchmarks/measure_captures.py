@@ -156,14 +156,14 @@ def in_memory(programs, captures, methods, repeats, scratch):
          "--benchmark_min_time=0.2", f"--benchmark_repetitions={repeats}",
          "--benchmark_enable_random_interleaving=true",
          f"--benchmark_out={out}", "--benchmark_out_format=json", *captures])
-    results = {}
+    results = {(capture.name, method): {"capture": capture.stem, "method": method}
+               for capture in captures for method in methods}
     for entry in json.loads(out.read_text())["benchmarks"]:
         if entry.get("aggregate_name", "median" if repeats == 1 else "") != "median":
             continue
         capture, method, threads = entry["run_name"].split("/")[:3]
-        result = results.setdefault((capture, method), {
-            "capture": pathlib.Path(capture).stem, "method": method,
-            "rel_rms": entry["rel_rms"]})
+        result = results[capture, method]
+        result["rel_rms"] = entry["rel_rms"]
         result["ms_1_thread" if threads == "threads:1" else "ms_all"] = entry["real_time"]
     return list(results.values())
 
