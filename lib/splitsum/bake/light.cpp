@@ -87,11 +87,10 @@ Result<Light> load_light(const std::filesystem::path& path, const PanoramaOption
         return load_all(path, options, use, progress);
     auto light = stream(path, options, use, size->height, *guess, progress);
     if (!light) return light.error();
-    const auto bands = bands_needed(*use.tables, *light->spectrum, lobes_of(use.levels),
-                                    use.levels.filter.accuracy);
-    if (!bands) return load_all(path, options, use, progress);
-    if (*bands <= *guess) return light;
-    return stream(path, options, use, size->height, *bands, progress);
+    const int bands = bands_needed(*use.tables, *light->spectrum, lobes_of(use.levels),
+                                   use.levels.filter.accuracy);
+    if (bands <= *guess) return light;
+    return stream(path, options, use, size->height, bands, progress);
 }
 
 int affordable_probes(const Light& light) {

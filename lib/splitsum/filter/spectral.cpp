@@ -79,19 +79,20 @@ double negligible_for(const FilterSource& source, double accuracy) {
                              4 * std::numbers::pi * dot(mean, mean), accuracy);
 }
 
+// How many bands the lobe takes under a point light, the worst that can shine on it, if that is
+// within reach. Of rough lobes, whose horizon has some power in any band, nothing is said.
+std::optional<int> bands_of_narrow(FilterTables& tables, const Lobe& lobe, double accuracy) {
+    constexpr double narrow = 0.5;  // radians
+    if (lobe_width(lobe) > narrow) return 1;
+    return bands_for_point_light(tables, lobe, truncation_share * accuracy, most_bands);
+}
+
 LobePlan plan_lobe(FilterTables& tables, const Lobe& lobe, double negligible, double accuracy) {
-    std::vector<double> factors = significant_factors(tables, lobe, negligible, most_bands);
-    if (std::abs(factors.back()) <= negligible || lobe.kind != LobeKind::ggx)
-        return {lobe, std::move(factors), std::nullopt};
     Lobe wide = lobe;
-    for (wide.alpha *= 1.25; wide.alpha < 0.1; wide.alpha *= 1.25) {
-        auto wide_factors = significant_factors(tables, wide, negligible, most_bands);
-        if (std::abs(wide_factors.back()) <= negligible)
-            return {wide, std::move(wide_factors),
-                    NarrowLobe(lobe.alpha, wide.alpha, cap_share * accuracy)};
-    }
-    // Not narrow: its horizon leaves a little power in any band. The bound will say how much.
-    return {lobe, std::move(factors), std::nullopt};
+    while (!bands_of_narrow(tables, wide, accuracy)) wide.alpha *= 1.25;
+    LobePlan plan{wide, significant_factors(tables, wide, negligible, most_bands), std::nullopt};
+    if (wide.alpha > lobe.alpha) plan.narrow.emplace(lobe.alpha, wide.alpha, cap_share * accuracy);
+    return plan;
 }
 
 // As many bands as these lobes can need, or fewer where what they leave out turns out not to matter:
@@ -141,21 +142,17 @@ std::unique_ptr<PreparedFilter> prepare_spectral(const FilterSource& source,
 
 std::optional<int> bands_to_transform(FilterTables& tables, std::span<const Lobe> lobes,
                                       double accuracy) {
-    constexpr int fewest = 256;
-    constexpr double narrow = 0.5;  // radians; wider lobes have a kink at the horizon to resolve
-    int bands = fewest;
+    int bands = 256;  // for the rough ones
     for (const Lobe& lobe : lobes) {
-        if (lobe_width(lobe) > narrow) continue;
-        const auto needed =
-            bands_for_point_light(tables, lobe, truncation_share * accuracy, most_bands);
+        const auto needed = bands_of_narrow(tables, lobe, accuracy);
         if (!needed) return std::nullopt;
         bands = std::max(bands, *needed);
     }
     return bands;
 }
 
-std::optional<int> bands_needed(FilterTables& tables, const Spectrum& spectrum,
-                                std::span<const Lobe> lobes, double accuracy) {
+int bands_needed(FilterTables& tables, const Spectrum& spectrum, std::span<const Lobe> lobes,
+                 double accuracy) {
     const double negligible =
         negligible_factor(spectrum.total_power(), spectrum.power(0), truncation_share * accuracy);
     int bands = spectrum.bands();
@@ -163,10 +160,8 @@ std::optional<int> bands_needed(FilterTables& tables, const Spectrum& spectrum,
         const auto factors = significant_factors(tables, lobe, negligible, most_bands);
         const double bound =
             band_limit(spectrum, factors, truncation_share * accuracy).truncation_bound;
-        if (bound <= largest_truncation_share * accuracy) continue;
-        if (std::abs(factors.back()) > negligible && lobe.kind == LobeKind::ggx)
-            return std::nullopt;
-        bands = std::max(bands, int(factors.size()) - 1);
+        if (bound > largest_truncation_share * accuracy)
+            bands = std::max(bands, int(factors.size()) - 1);
     }
     return bands;
 }

@@ -13,7 +13,7 @@ namespace splitsum {
 ///
 /// Each lobe keeps as many bands as this panorama needs (filter/band_limit.h), so that the bounds of
 /// the truncation and of the interpolation on the synthesis grid stay under parts of plan.accuracy.
-/// Lobes so narrow that they would need more than `most_bands` are taken apart (narrow_lobe.h): the
+/// Lobes so narrow that a point light would need more than 2000 are taken apart (narrow_lobe.h): the
 /// transform does the wide part, a sum over nearby texels the rest.
 std::unique_ptr<PreparedFilter> prepare_spectral(const FilterSource& source,
                                                  std::span<const Lobe> lobes,
@@ -27,8 +27,7 @@ std::optional<int> bands_to_transform(FilterTables& tables, std::span<const Lobe
                                       double accuracy);
 
 /// How many bands such a spectrum should have had for these lobes, which may be as many as it has.
-/// Nothing where the texels themselves are needed.
-std::optional<int> bands_needed(FilterTables& tables, const Spectrum& spectrum,
-                                std::span<const Lobe> lobes, double accuracy);
+int bands_needed(FilterTables& tables, const Spectrum& spectrum, std::span<const Lobe> lobes,
+                 double accuracy);
 
 }  // namespace splitsum

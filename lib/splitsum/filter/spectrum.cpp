@@ -15,10 +15,11 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Rings that stand for the rows of a large panorama; nothing where it has too few to gain by it.
+// Rings that stand for the rows of a large panorama, three a band or as many as half the rows;
+// nothing where these are too few to be as good as the rows.
 std::optional<int> rings_for(int height, int bands) {
-    const int rings = std::max(3 * bands, 64);
-    return 2 * rings <= height ? std::optional(rings) : std::nullopt;
+    const int rings = std::max(std::min(3 * bands, height / 2), 64);
+    return 4 * rings >= 9 * bands && 2 * rings <= height ? std::optional(rings) : std::nullopt;
 }
 
 // One more Gauss point than it takes for the highest band to turn by 1.6 radians from one to the

@@ -43,12 +43,12 @@ private:
 /// The transform of a piecewise-constant environment that arrives row by row, so that its texels
 /// need not be kept: exact over each texel's azimuths (LineFourier), Gauss points over each row's
 /// polar angles. `bands` may exceed the number of rows: a piecewise-constant function has power
-/// there. With six rows or more for each band, rows are first gathered on three rings a band
-/// (RowsToRings), and the polynomial between rings takes the place of the Gauss points.
+/// there. With four and a half rows or more for each band, rows are first gathered on two to three
+/// rings a band (RowsToRings), and the polynomial between rings takes the place of the Gauss points.
 ///
 /// Error: about 1e-7 of the row's largest coefficients (the FFT is fp32, everything after it fp64),
-/// and 3e-5 at the highest band for the Gauss points, or 2e-3 at the highest and 6e-6 at half of it
-/// between rings: those are bands that the lobes have all but extinguished.
+/// and 3e-5 at the highest band for the Gauss points, or 2e-3 to 2e-2 at the highest and 6e-6 to 6e-5 at
+/// half of it between rings: those are bands that the lobes have all but extinguished.
 /// Cost: lines * bands² / 4 steps of the Legendre recurrence for each Gauss point, in parallel over
 /// orders. Memory: 6 floats a line and band, then 24 bytes a coefficient.
 class SpectrumBuilder {
