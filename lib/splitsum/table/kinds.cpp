@@ -42,6 +42,7 @@ constexpr TableKind kinds[] = {
      .summary = "(E, E_avg): albedo for F = 1 and its average (Kulla & Conty 2017)",
      .value = "red = E(n.v, r) of a perfect reflector; green = E_avg(r) = 2 integral E mu dmu",
      .channel_names = energy_channels,
+     .probes = 64,
      .wants_floats = true,
      .bake = bake_energy,
      .error_of = error_of_energy},
@@ -50,6 +51,7 @@ constexpr TableKind kinds[] = {
      .value = "red = 1 - E(n.v, r) of a perfect reflector; green = 2 integral red mu dmu as read "
               "bilinearly",
      .channel_names = lost_channels,
+     .probes = 64,
      .wants_floats = true,
      .bake = bake_energy_lost,
      .error_of = error_of_energy_lost},

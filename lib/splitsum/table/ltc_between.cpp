@@ -30,8 +30,10 @@ void straighten_row(std::span<LtcInverse> row, double share) {
 }
 
 void point_along_horizon(LtcInverse& edge_on, const LtcInverse& neighbour, double share) {
-    edge_on.m00 *= 1 - share;
-    edge_on.m02 += share * (neighbour.m02 - edge_on.m02);
+    LtcInverse moved = edge_on;
+    moved.m00 *= 1 - share;
+    moved.m02 += share * (neighbour.m02 - edge_on.m02);
+    if (determinant(moved) > 0) edge_on = moved;
 }
 
 }  // namespace
@@ -41,10 +43,11 @@ void fit_between_views(std::span<LtcInverse> matrices, const TableGrid& grid) {
     for (size_t y = 0; y < grid.perceptual_roughness.size(); ++y) {
         const double r = grid.perceptual_roughness[y];
         const auto row = matrices.subspan(y * columns, columns);
-        straighten_row(row, fading(r, 0.1, 0.2));
-        // Views are in the order of the axis: with texels at its ends the last is seen edge on.
-        if (columns > 1 && grid.n_dot_v.back() == 0)
-            point_along_horizon(row.back(), row[columns - 2], fading(r, 0.05, 0.12));
+        // Views are in the order of the axis: with texels at its ends the last is seen edge on, and the
+        // interval before it is exact with the neighbour as it is.
+        const bool ends_edge_on = columns > 1 && grid.n_dot_v.back() == 0;
+        straighten_row(ends_edge_on ? row.first(columns - 1) : row, fading(r, 0.1, 0.2));
+        if (ends_edge_on) point_along_horizon(row.back(), row[columns - 2], fading(r, 0.05, 0.12));
     }
 }
 
