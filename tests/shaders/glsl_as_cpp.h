@@ -9,10 +9,10 @@
 /// take GLSL's literals, which are doubles to C++.
 namespace splitsum::tests::glsl {
 
+using glm::mat3;
 using glm::vec2;
 using glm::vec3;
 using glm::vec4;
-using glm::mat3;
 
 inline float clamp(float x, double low, double high) {
     return std::clamp(x, static_cast<float>(low), static_cast<float>(high));
