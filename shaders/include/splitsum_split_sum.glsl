@@ -26,11 +26,22 @@ vec3 splitsum_directional_albedo(vec3 f0, vec2 split_sum) {
     return f0 * split_sum.x + split_sum.y;
 }
 
+// The same from a table `ggx-multiscatter`, whose red is b and whose green is a + b.
+vec3 splitsum_directional_albedo_of_multiscatter(vec3 f0, vec2 multiscatter) {
+    return vec3(multiscatter.x) + f0 * (multiscatter.y - multiscatter.x);
+}
+
 // What single-bounce light is multiplied with so that no energy is lost between the microfacets: a
 // surface with F0 = 1 then returns all of a white furnace (Turquin 2019, "Practical multiple
 // scattering compensation for microfacet models").
 vec3 splitsum_energy_compensation(vec3 f0, vec2 split_sum) {
     float lost_per_returned = 1.0 / (split_sum.x + split_sum.y) - 1.0;
+    return vec3(1.0) + f0 * lost_per_returned;
+}
+
+// The same from a table `ggx-multiscatter`.
+vec3 splitsum_energy_compensation_of_multiscatter(vec3 f0, vec2 multiscatter) {
+    float lost_per_returned = 1.0 / multiscatter.y - 1.0;
     return vec3(1.0) + f0 * lost_per_returned;
 }
 
@@ -40,6 +51,13 @@ float splitsum_multiple_scattering(float energy_view, float energy_light, float 
     float inverse_pi = 0.31830988618;
     float lost_on_average = max(1.0 - average_energy, 1e-6);
     return (1.0 - energy_view) * (1.0 - energy_light) * inverse_pi / lost_on_average;
+}
+
+// The same from a table `energy-lost` (red: 1 - E, green: its average), which keeps its digits on smooth
+// surfaces.
+float splitsum_multiple_scattering_of_lost(float lost_view, float lost_light, float average_lost) {
+    float inverse_pi = 0.31830988618;
+    return lost_view * lost_light * inverse_pi / max(average_lost, 1e-20);
 }
 
 #endif

@@ -22,7 +22,7 @@ import tempfile
 import time
 
 TERMS = ["height-correlated", "schlick-half", "schlick-sqrt"]
-SPLIT_SUM_KINDS = ["ggx", "ggx-multiscatter", "energy"]
+SPLIT_SUM_KINDS = ["ggx", "ggx-multiscatter", "energy", "energy-lost"]
 
 
 def run(command):
@@ -83,10 +83,10 @@ def other_rows(tool, folder, options):
     for kind in kinds_of(tool):
         if kind in SPLIT_SUM_KINDS or kind == "ggx-fit":
             continue
-        form = "rgba16f" if kind.startswith("ltc") else "rg16f"
+        form, layout = ("rgba16f", "edge") if kind.startswith("ltc") else ("rg16f", "centre")
         size = "16" if options.quick else "64"
-        yield row(tool, folder, ["--table", kind, "--format", form, "--size", size], 1,
-                  [kind, "", "centre", form, size])
+        yield row(tool, folder, ["--table", kind, "--format", form, "--size", size, "--layout",
+                                 layout], options.repeats, [kind, "", layout, form, size])
 
 
 def method_rows(build, options):

@@ -9,8 +9,10 @@
 /// take GLSL's literals, which are doubles to C++.
 namespace splitsum::tests::glsl {
 
+using glm::mat3;
 using glm::vec2;
 using glm::vec3;
+using glm::vec4;
 
 inline float clamp(float x, double low, double high) {
     return std::clamp(x, static_cast<float>(low), static_cast<float>(high));
@@ -22,6 +24,8 @@ inline float sqrt(double x) { return std::sqrt(static_cast<float>(x)); }
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
 #pragma GCC diagnostic ignored "-Wfloat-conversion"
+#include "splitsum_area_light.glsl"
+#include "splitsum_cloth.glsl"
 #include "splitsum_levels.glsl"
 #include "splitsum_split_sum.glsl"
 #pragma GCC diagnostic pop

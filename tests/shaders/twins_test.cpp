@@ -1,13 +1,17 @@
 // The shader includes and their C++ twins give the same numbers: the includes are compiled as C++.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <numbers>
 
 #include "shaders/glsl_as_cpp.h"
 #include "splitsum/base/random.h"
 #include "splitsum/math/quadrature.h"
 #include "splitsum/plan/roughness_curve.h"
+#include "splitsum/table/albedo_lookup.h"
 #include "splitsum/table/bilinear.h"
+#include "splitsum/table/kinds.h"
+#include "splitsum/table/ltc_lookup.h"
 #include "splitsum/table/split_sum_lookup.h"
 
 namespace splitsum::tests {
@@ -76,6 +80,99 @@ TEST(SplitSumGlsl, UsesTheTableAsTheLibraryDoes) {
             const double expected = energy_compensation(sum, reflectance);
             EXPECT_NEAR(static_cast<double>(compensation[channel]) / expected, 1, 1e-6);
         }
+    }
+}
+
+// b and a + b as a table holds them lead to the albedo and the compensation of a and b.
+TEST(SplitSumGlsl, UsesAMultiscatterTableAsTheLibraryDoes) {
+    for (uint32_t i = 0; i < input_count; ++i) {
+        const double bias = 0.2 * static_cast<double>(unit_float(3 * i));
+        const double albedo = 0.2 + 0.8 * static_cast<double>(unit_float(3 * i + 1));
+        const float f0 = unit_float(3 * i + 2);
+        const glsl::vec2 read(bias, albedo);
+        const SplitSum sum = split_sum_of_multiscatter(bias, albedo);
+        EXPECT_NEAR(static_cast<double>(
+                        glsl::splitsum_directional_albedo_of_multiscatter(glsl::vec3(f0), read).y),
+                    directional_albedo(sum, static_cast<double>(f0)), 2e-7);
+        EXPECT_NEAR(
+            static_cast<double>(
+                glsl::splitsum_energy_compensation_of_multiscatter(glsl::vec3(f0), read).z) /
+                energy_compensation(sum, static_cast<double>(f0)),
+            1, 1e-6);
+    }
+}
+
+TEST(SplitSumGlsl, ScattersBetweenFacetsAsTheLibraryDoes) {
+    for (uint32_t i = 0; i < input_count; ++i) {
+        const float view = unit_float(3 * i), light = unit_float(3 * i + 1);
+        const float average = i % 7 == 0 ? 1.0F : unit_float(3 * i + 2);
+        const double expected = multiple_scattering(
+            static_cast<double>(view), static_cast<double>(light), static_cast<double>(average));
+        EXPECT_NEAR(static_cast<double>(glsl::splitsum_multiple_scattering(view, light, average)) /
+                        std::max(expected, 1e-3),
+                    expected / std::max(expected, 1e-3), 1e-5);
+        const double of_lost =
+            multiple_scattering_of_lost(static_cast<double>(view), static_cast<double>(light),
+                                        0.5 * static_cast<double>(average));
+        EXPECT_NEAR(static_cast<double>(
+                        glsl::splitsum_multiple_scattering_of_lost(view, light, 0.5F * average)),
+                    of_lost, 1e-6 * of_lost);
+    }
+}
+
+TEST(ClothGlsl, UsesTheTableAsTheLibraryDoes) {
+    for (uint32_t i = 0; i < input_count; ++i) {
+        const glsl::vec3 color(unit_float(4 * i), unit_float(4 * i + 1), unit_float(4 * i + 2));
+        const Vec3d same(color.x, color.y, color.z);
+        const float albedo = 4 * unit_float(4 * i + 3);  // cloth seen edge on returns more than 1
+        const glsl::vec3 reflected = glsl::splitsum_cloth_reflectance(color, albedo);
+        const Vec3d expected = cloth_reflectance(same, static_cast<double>(albedo));
+        for (int channel = 0; channel < 3; ++channel)
+            EXPECT_NEAR(static_cast<double>(reflected[channel]), expected[channel], 1e-6);
+        EXPECT_NEAR(static_cast<double>(glsl::splitsum_below_cloth(color, albedo)),
+                    below_cloth(same, static_cast<double>(albedo)), 1e-6);
+    }
+}
+
+TEST(AreaLightGlsl, ReadsTablesWhereTheLibraryDoes) {
+    const TableKind kind = *kind_of({.kind = "ltc-ggx"});
+    const TablePlan plan = default_plan(kind);
+    for (const int size : {2, 17, 64})
+        for (uint32_t i = 0; i < 500; ++i) {
+            const float n_dot_v = input(2 * i), r = input(2 * i + 1);
+            const glsl::vec2 found =
+                glsl::splitsum_ltc_coordinates(n_dot_v, r, static_cast<float>(size));
+            const Vec2d expected = texture_coordinates(
+                plan, size, kind.view_axis, static_cast<double>(n_dot_v), static_cast<double>(r));
+            EXPECT_NEAR(static_cast<double>(found.x), expected.x, 3e-7);
+            EXPECT_NEAR(static_cast<double>(found.y), expected.y, 3e-7);
+            const glsl::vec2 sphere =
+                glsl::splitsum_ltc_sphere_coordinates(2 * n_dot_v - 1, r, static_cast<float>(size));
+            const Vec2d there = ltc_sphere_coordinates(2 * static_cast<double>(n_dot_v) - 1,
+                                                       static_cast<double>(r), size);
+            EXPECT_NEAR(static_cast<double>(sphere.x), there.x, 3e-7);
+            EXPECT_NEAR(static_cast<double>(sphere.y), there.y, 3e-7);
+        }
+}
+
+TEST(AreaLightGlsl, CarriesDirectionsAndReflectsAsTheLibraryDoes) {
+    for (uint32_t i = 0; i < input_count; ++i) {
+        std::array<float, 11> numbers{};
+        for (uint32_t k = 0; k < numbers.size(); ++k)
+            numbers[k] = 2 * unit_float(static_cast<uint32_t>(numbers.size()) * i + k) - 1;
+        const std::array<double, 6> read = {numbers[0], numbers[1], numbers[2],
+                                            numbers[3], numbers[4], numbers[5]};
+        const glsl::vec4 layer0(numbers[0], numbers[1], numbers[2], numbers[3]);
+        const glsl::vec4 layer1(numbers[4], numbers[5], 0, 0);
+        const glsl::vec3 direction(numbers[6], numbers[7], numbers[8]);
+        const glsl::vec3 carried = glsl::splitsum_ltc_inverse(layer0) * direction;
+        const Vec3d expected =
+            to_cosine_space(ltc_inverse(read), {direction.x, direction.y, direction.z});
+        for (int axis = 0; axis < 3; ++axis)
+            EXPECT_NEAR(static_cast<double>(carried[axis]), expected[axis], 1e-6);
+        const glsl::vec3 f0(numbers[9]);
+        EXPECT_NEAR(static_cast<double>(glsl::splitsum_ltc_reflectance(f0, layer1).y),
+                    ltc_reflectance(read, static_cast<double>(numbers[9])), 1e-6);
     }
 }
 

@@ -13,6 +13,7 @@
 #include "splitsum/ltc/polygon_reference.h"
 #include "splitsum/table/bilinear.h"
 #include "splitsum/table/grid.h"
+#include "splitsum/table/ltc_lookup.h"
 
 namespace splitsum {
 
@@ -71,8 +72,7 @@ inline double shaded(const Table& table, const TablePlan& plan, const Scene& sce
                   texture_coordinates(plan, table.width, ViewAxis::sqrt_one_minus_cosine,
                                       scene.n_dot_v, scene.perceptual_roughness),
                   read);
-    const LtcInverse inverse{.m00 = read[0], .m20 = read[1], .m02 = read[2], .m22 = read[3]};
-    return read[4] * ltc_polygon_light(inverse, scene.light);
+    return ltc_reflectance(read, 1) * ltc_polygon_light(ltc_inverse(read), scene.light);
 }
 
 struct ShadingErrors {

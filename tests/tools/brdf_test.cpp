@@ -176,6 +176,26 @@ TEST(SplitsumBrdf, JsonAndPreviewSayWhatWasMade) {
     EXPECT_EQ(bytes_of(folder / "t.png").substr(1, 3), "PNG");
 }
 
+// What an engine expects of a table is its default, and an option on the command line is stronger.
+TEST(SplitsumBrdf, KindsHaveDefaultsOfTheirOwn) {
+    const TemporaryFolder folder;
+    const auto metadata = [&](std::vector<std::string> arguments) {
+        const auto path = folder / "t.json";
+        arguments.insert(arguments.end(), {"--table", "ltc-disney", "-o", path.string()});
+        const auto run = run_tool(tool, arguments);
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+        return nlohmann::json::parse(bytes_of(path));
+    };
+    const auto usual = metadata({});
+    EXPECT_EQ(usual["width"], 64);
+    EXPECT_EQ(usual["metadata"]["splitsum.layout"], "edge");
+    EXPECT_EQ(usual["metadata"]["splitsum.axes_order"], "roughness-nv");
+    const auto asked = metadata({"--size", "8", "--layout", "centre", "--axes", "nv-roughness"});
+    EXPECT_EQ(asked["width"], 8);
+    EXPECT_EQ(asked["metadata"]["splitsum.layout"], "centre");
+    EXPECT_EQ(asked["metadata"]["splitsum.axes_order"], "nv-roughness");
+}
+
 // OpenImageIO brings some 260 shared libraries and a fifth of a second before main.
 TEST(SplitsumBrdf, DoesNotLoadOpenImageIO) {
     const ProgramResult run = run_program({"ldd", std::string(SPLITSUM_BIN) + "/" + tool});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include "splitsum/base/text.h"
 #include "splitsum/brdf/smith.h"
@@ -51,6 +52,26 @@ std::vector<Choice> formats_for(EncodingOptions::Content content) {
     for (const PixelFormatInfo& format : pixel_formats())
         if (holds(format)) choices.push_back({format.name, format.summary});
     return choices;
+}
+
+// What --help names as the default of an option that kinds of tables differ in: "a; b of x and y".
+template <class Text>
+std::string default_of_kinds(const Text& text_of) {
+    const std::string usual = text_of(default_plan(table_kinds().front()));
+    std::map<std::string, std::vector<std::string_view>> others;
+    for (const TableKind& kind : table_kinds()) {
+        const std::string text = text_of(default_plan(kind));
+        if (text != usual && !kind.is_closed_form()) others[text].push_back(kind.name);
+    }
+    std::string text = usual;
+    for (const auto& [other, names] : others)
+        text += cat("; ", other, " of ", join(names, " and "));
+    return text;
+}
+
+// Of a name that --table accepts.
+TablePlan plan_of_kind(std::string_view name) {
+    return default_plan(*std::ranges::find(table_kinds(), name, &TableKind::name));
 }
 
 }  // namespace
@@ -156,10 +177,7 @@ IrradianceOptions::IrradianceOptions(CLI::App& app, const std::string& prefix) {
 }
 
 TableOptions::TableOptions(CLI::App& app, const std::string& prefix)
-    : geometry_(info_of(plan_.geometry).name),
-      layout_(texel_layouts().front().name),
-      axes_(table_axes().front().name),
-      roughness_axis_(roughness_axes().front().name) {
+    : geometry_(info_of(plan_.geometry).name), roughness_axis_(roughness_axes().front().name) {
     const auto named = [&](const char* name) { return cat("--", prefix, name); };
     add_choice(app, prefix.empty() ? "--table" : named("kind"), plan_.kind,
                choices_of(table_kinds()), "what the table holds");
@@ -174,14 +192,24 @@ TableOptions::TableOptions(CLI::App& app, const std::string& prefix)
             ->check(finite_number(1e-7, 0.1));
     add_whole(app, named("samples"), plan_.samples, 1, most_samples, "COUNT",
               "sample points per texel, for methods that sample");
-    app.add_option(named("size"), size_,
-                   cat("texels along an edge, 1 to ", largest_size, ", or auto: the smallest of ",
-                       smallest_automatic_size, ", 16, ... ", largest_automatic_size,
-                       " that meets ", named("accuracy"), " (default ", size_, ")"))
-        ->option_text("TEXELS")
-        ->check(whole_number_or_auto(1, largest_size));
-    add_choice(app, named("layout"), layout_, choices_of(texel_layouts()), "where texels sit");
-    add_choice(app, named("axes"), axes_, choices_of(table_axes()), "what goes right and down");
+    size_given_ =
+        app.add_option(
+               named("size"), size_,
+               cat("texels along an edge, 1 to ", largest_size, ", or auto: the smallest of ",
+                   smallest_automatic_size, ", 16, ... ", largest_automatic_size, " that meets ",
+                   named("accuracy"), " (default ",
+                   default_of_kinds([](const TablePlan& plan) { return cat(plan.size); }), ")"))
+            ->option_text("TEXELS")
+            ->check(whole_number_or_auto(1, largest_size));
+    layout_given_ = add_choice(app, named("layout"), layout_, choices_of(texel_layouts()),
+                               "where texels sit", default_of_kinds([](const TablePlan& plan) {
+                                   return std::string(name_of(texel_layouts(), plan.layout));
+                               }));
+    axes_given_ =
+        add_choice(app, named("axes"), axes_, choices_of(table_axes()), "what goes right and down",
+                   default_of_kinds([](const TablePlan& plan) {
+                       return std::string(name_of(table_axes(), plan.axes));
+                   }));
     add_choice(app, named("roughness-axis"), roughness_axis_, choices_of(roughness_axes()),
                "what the roughness axis counts in");
     app.add_flag(named("flip"), plan_.flip, "rows from 1 down to 0 instead of from 0 up to 1");
@@ -191,12 +219,16 @@ TableOptions::TableOptions(CLI::App& app, const std::string& prefix)
 
 TablePlan TableOptions::plan() const {
     TablePlan plan = plan_;
-    plan.size = size_ == "auto" ? TablePlan::automatic_size : std::stoi(size_);
+    const TablePlan usual = plan_of_kind(plan_.kind);
+    plan.size = size_given_->count() == 0 ? usual.size
+                : size_ == "auto"         ? TablePlan::automatic_size
+                                          : std::stoi(size_);
     if (accuracy_given_->count() > 0) plan.accuracy = accuracy_;
     for (const SmithTermInfo& info : smith_terms())
         if (info.name == geometry_) plan.geometry = info.term;
-    plan.layout = *value_named(texel_layouts(), layout_);
-    plan.axes = *value_named(table_axes(), axes_);
+    plan.layout =
+        layout_given_->count() > 0 ? *value_named(texel_layouts(), layout_) : usual.layout;
+    plan.axes = axes_given_->count() > 0 ? *value_named(table_axes(), axes_) : usual.axes;
     plan.roughness_axis = *value_named(roughness_axes(), roughness_axis_);
     return plan;
 }
@@ -208,10 +240,13 @@ std::string container_endings() {
 EncodingOptions::EncodingOptions(CLI::App& app, Content content, const std::string& prefix)
     : format_(content == Content::table ? "rg16f" : "rgba16f") {
     const bool table = content == Content::table;
-    format_given_ =
-        add_choice(app, cat("--", prefix, "format"), format_, formats_for(content),
-                   table ? "how a texel is stored" : "how a texel is stored in a .ktx2 file",
-                   table ? "rg16f, of 4 channels rgba16f; rg32f and rgba32f in source" : "");
+    format_given_ = add_choice(
+        app, cat("--", prefix, "format"), format_, formats_for(content),
+        table ? "how a texel is stored" : "how a texel is stored in a .ktx2 file",
+        table
+            ? "rg16f, of 4 channels rgba16f; rg32f of energy and energy-lost; rg32f and rgba32f in "
+              "source"
+            : "");
     auto* zstd = app.add_flag(cat("--", prefix, "zstd"), container_.ktx2.zstd,
                               "supercompress a .ktx2 file with Zstandard");
     app.add_option(

@@ -97,7 +97,8 @@ struct IrradianceOptions {
 };
 
 /// --table, --method, --accuracy, --samples, --size, --layout, --axes, --roughness-axis, --flip,
-/// --geometry; with `prefix` "table-" they are --table-kind, --table-method and so on.
+/// --geometry; with `prefix` "table-" they are --table-kind, --table-method and so on. Size, layout and
+/// axes that are not on the command line are those of the kind's default_plan.
 struct TableOptions {
     explicit TableOptions(CLI::App& app, const std::string& prefix = "");
     TableOptions(const TableOptions&) = delete;
@@ -106,9 +107,12 @@ struct TableOptions {
 
 private:
     TablePlan plan_;
-    std::string size_ = "512";
+    std::string size_;
     double accuracy_ = 0;
     CLI::Option* accuracy_given_;
+    CLI::Option* size_given_;
+    CLI::Option* layout_given_;
+    CLI::Option* axes_given_;
     std::string geometry_;
     std::string layout_;
     std::string axes_;

@@ -52,7 +52,7 @@ Result<PixelFormat> table_format(const TablePlan& plan) {
     if (kind->is_closed_form())
         return Error{ErrorKind::bad_argument,
                      cat("'", kind->name, "' is a formula, no texture; splitsum-brdf writes it")};
-    return kind->channels() > 2 ? PixelFormat::rgba16f : PixelFormat::rg16f;
+    return default_format(*kind);
 }
 
 struct BakedTable {

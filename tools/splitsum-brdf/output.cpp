@@ -66,9 +66,9 @@ Status TableOutput::check(const TablePlan& plan) const {
 PixelFormat TableOutput::format(const TablePlan& plan) const {
     if (encoding.format_given()) return encoding.format();
     const auto kind = kind_of(plan);
-    const bool wide = kind && kind->channels() > 2;
-    if (table_source_of(path) != nullptr) return wide ? PixelFormat::rgba32f : PixelFormat::rg32f;
-    return wide ? PixelFormat::rgba16f : PixelFormat::rg16f;
+    if (!kind) return encoding.format();
+    if (table_source_of(path) == nullptr) return default_format(*kind);
+    return kind->channels() > 2 ? PixelFormat::rgba32f : PixelFormat::rg32f;
 }
 
 Status TableOutput::write(const TableAsset& asset) const {

@@ -122,6 +122,11 @@ Status check_accuracy(const TableAsset& asset) {
 
 }  // namespace
 
+PixelFormat default_format(const TableKind& kind) {
+    if (kind.channels() > 2) return kind.wants_floats ? PixelFormat::rgba32f : PixelFormat::rgba16f;
+    return kind.wants_floats ? PixelFormat::rg32f : PixelFormat::rg16f;
+}
+
 Result<TableAsset> bake_table(const TablePlan& plan, PixelFormat format, Progress& progress) {
     if (const Status valid = validate(plan); !valid) return valid.error();
     const auto kind = kind_of(plan);

@@ -19,6 +19,10 @@ struct TableAsset {
     TableCheck check;      ///< of `table`
 };
 
+/// How a kind is stored where nothing else is asked for: half floats, of 4 channels where a texel has
+/// more than 2; floats where those are too coarse.
+PixelFormat default_format(const TableKind& kind);
+
 /// Bakes a table of plan.kind, encodes it and measures what was stored, at texels and between them,
 /// against the kind's independent reference. With an automatic size it takes the smallest power of
 /// two, smallest_automatic_size to largest_automatic_size, whose error meets plan.accuracy.

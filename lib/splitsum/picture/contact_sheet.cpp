@@ -9,8 +9,8 @@
 
 #include "splitsum/base/parallel.h"
 #include "splitsum/color/display.h"
-#include "splitsum/imageio/png_file.h"
 #include "splitsum/picture/cubemap_lookup.h"
+#include "splitsum/png/write_png.h"
 
 namespace splitsum {
 namespace {
@@ -224,7 +224,7 @@ Status write_contact_sheet(const ContactSheet& sheet, const std::filesystem::pat
     for (size_t i = 0; i < cells.size(); ++i)
         if (cells[i].perceptual_roughness)
             draw_bar(picture, layout, static_cast<int>(i), *cells[i].perceptual_roughness);
-    return write_png_rgb8(png, picture_width, layout.height(), picture);
+    return write_png(png, picture_width, layout.height(), picture);
 }
 
 }  // namespace splitsum

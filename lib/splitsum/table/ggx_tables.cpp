@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "splitsum/math/quadrature.h"
+#include "splitsum/table/average_albedo_exact.h"
 #include "splitsum/table/split_sum.h"
 #include "splitsum/table/split_sum_exact.h"
 
@@ -69,6 +70,17 @@ TableGrid with_columns(TableGrid grid, const std::vector<double>& more) {
 
 double albedo_of(const SplitSum& sum) { return sum.a + sum.b; }
 
+// 2 ∫ f mu dmu over [0, 1] of what is linear between `values` at ascending `places`, and constant beyond.
+double average_as_read(const std::vector<double>& places, const std::vector<double>& values) {
+    const double first = places.front(), last = places.back();
+    double sum = values.front() * first * first + values.back() * (1 - last * last);
+    for (size_t i = 0; i + 1 < places.size(); ++i) {
+        const double a = places[i], b = places[i + 1];
+        sum += (b - a) / 3 * (values[i] * (2 * a + b) + values[i + 1] * (a + 2 * b));
+    }
+    return sum;
+}
+
 }  // namespace
 
 Result<Table> bake_ggx(const TablePlan& plan, const TableGrid& grid, Progress& progress) {
@@ -117,18 +129,29 @@ double error_of_energy(const TablePlan& plan, double n_dot_v, double perceptual_
                     std::abs(read[1] - average_albedo_exact(plan.geometry, alpha)));
 }
 
-double average_albedo_exact(SmithTerm term, double alpha) {
-    constexpr int panels = 9;
-    const QuadratureRule rule = gauss_legendre(5);
-    double sum = 0;
-    for (int panel = 0; panel < panels; ++panel) {
-        const double to = std::ldexp(1.0, -panel);
-        const double from = panel + 1 < panels ? 0.5 * to : 0;
-        sum += integrate(rule, from, to, [&](double mu) {
-            return 2 * mu * albedo_of(split_sum_exact(term, mu, alpha, 5));
-        });
+Result<Table> bake_energy_lost(const TablePlan& plan, const TableGrid& grid, Progress& progress) {
+    const auto sums = split_sums(plan, grid, progress);
+    if (!sums) return sums.error();
+    const size_t columns = grid.n_dot_v.size(), rows = grid.perceptual_roughness.size();
+    Table table = blank_table(static_cast<int>(columns), static_cast<int>(rows), 2);
+    std::vector<double> lost(columns);
+    for (size_t y = 0; y < rows; ++y) {
+        // Below 0 it is what the quadrature leaves, and would cancel in the average of smooth rows.
+        for (size_t x = 0; x < columns; ++x)
+            lost[x] = std::max(0.0, 1 - albedo_of((*sums)[y * columns + x]));
+        const double average = average_as_read(grid.n_dot_v, lost);
+        for (size_t x = 0; x < columns; ++x) {
+            table.values[2 * (y * columns + x)] = static_cast<float>(lost[x]);
+            table.values[2 * (y * columns + x) + 1] = static_cast<float>(average);
+        }
     }
-    return sum;
+    return table;
+}
+
+double error_of_energy_lost(const TablePlan& plan, double n_dot_v, double perceptual_roughness,
+                            std::span<const double> read) {
+    const std::array<double, 2> kept = {1 - read[0], 1 - read[1]};
+    return error_of_energy(plan, n_dot_v, perceptual_roughness, kept);
 }
 
 }  // namespace splitsum

@@ -33,8 +33,13 @@ Result<Table> bake_energy(const TablePlan& plan, const TableGrid& grid, Progress
 double error_of_energy(const TablePlan& plan, double n_dot_v, double perceptual_roughness,
                        std::span<const double> read);
 
-/// E_avg by the independent road of error_of_energy: Gauss panels that halve towards mu = 0 over
-/// split_sum_exact. Absolute error below 1e-6. Cost: about 10 ms.
-double average_albedo_exact(SmithTerm term, double alpha);
+/// (1 - E, what a sampler with a linear filter makes of 2 ∫ (1 - E) mu dmu), the same for smooth
+/// surfaces too, where 1 - E is far below the steps that floats have near 1, and where no table resolves
+/// views as grazing as the lobe is wide: the average is that of what is read, so that light between the
+/// facets gives back what was lost exactly, for tables of every size. Its error against E_avg is that of
+/// the linear filter.
+Result<Table> bake_energy_lost(const TablePlan& plan, const TableGrid& grid, Progress& progress);
+double error_of_energy_lost(const TablePlan& plan, double n_dot_v, double perceptual_roughness,
+                            std::span<const double> read);
 
 }  // namespace splitsum

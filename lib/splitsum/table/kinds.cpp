@@ -16,9 +16,14 @@ constexpr std::string_view ggx_channels[] = {"scale", "bias"};
 constexpr std::string_view multiscatter_channels[] = {"bias", "albedo"};
 
 constexpr std::string_view energy_channels[] = {"albedo", "average_albedo"};
+constexpr std::string_view lost_channels[] = {"lost", "average_lost"};
 constexpr std::string_view albedo_channels[] = {"albedo"};
 constexpr std::string_view ltc_channels[] = {"m00",    "m20",      "m02",  "m22",
                                              "albedo", "weighted", "zero", "sphere"};
+
+// As three.js and Bevy read the tables of area lights.
+constexpr TableDefaults ltc_defaults = {
+    .size = 64, .layout = TexelLayout::edge, .axes = TableAxes::roughness_nv};
 
 constexpr TableKind kinds[] = {
     {.name = "ggx",
@@ -37,9 +42,19 @@ constexpr TableKind kinds[] = {
      .summary = "(E, E_avg): albedo for F = 1 and its average (Kulla & Conty 2017)",
      .value = "red = E(n.v, r) of a perfect reflector; green = E_avg(r) = 2 integral E mu dmu",
      .channel_names = energy_channels,
-     .probes = 12,
+     .probes = 64,
+     .wants_floats = true,
      .bake = bake_energy,
      .error_of = error_of_energy},
+    {.name = "energy-lost",
+     .summary = "(1 - E, 1 - E_avg), the latter of what is read: a white furnace at every size",
+     .value = "red = 1 - E(n.v, r) of a perfect reflector; green = 2 integral red mu dmu as read "
+              "bilinearly",
+     .channel_names = lost_channels,
+     .probes = 64,
+     .wants_floats = true,
+     .bake = bake_energy_lost,
+     .error_of = error_of_energy_lost},
     {.name = "charlie",
      .summary = "cloth's albedo, visibility of Neubelt & Pettineo (Filament, glTF sheen)",
      .value = "albedo of cloth: Charlie (alpha = r^2), V = 1 / (4 (n.l + n.v - n.l n.v))",
@@ -90,6 +105,7 @@ constexpr TableKind kinds[] = {
      .view_axis = ViewAxis::sqrt_one_minus_cosine,
      .has_geometry = false,
      .has_methods = false,
+     .defaults = ltc_defaults,
      .bake = bake_ltc_ggx,
      .error_of = error_of_ltc_ggx},
     {.name = "ltc-disney",
@@ -101,6 +117,7 @@ constexpr TableKind kinds[] = {
      .view_axis = ViewAxis::sqrt_one_minus_cosine,
      .has_geometry = false,
      .has_methods = false,
+     .defaults = ltc_defaults,
      .bake = bake_ltc_disney,
      .error_of = error_of_ltc_disney},
     {.name = "ggx-fit",
@@ -117,6 +134,15 @@ constexpr TableKind kinds[] = {
 }  // namespace
 
 std::span<const TableKind> table_kinds() { return kinds; }
+
+TablePlan default_plan(const TableKind& kind) {
+    TablePlan plan;
+    plan.kind = kind.name;
+    plan.size = kind.defaults.size;
+    plan.layout = kind.defaults.layout;
+    plan.axes = kind.defaults.axes;
+    return plan;
+}
 
 Result<TableKind> kind_of(const TablePlan& plan) {
     const auto method = find_split_sum_method(plan.method);

@@ -11,6 +11,13 @@
 
 namespace splitsum {
 
+/// What a table is like where nobody asks for something else: what the engines that read it expect.
+struct TableDefaults {
+    int size = 512;
+    TexelLayout layout = TexelLayout::centre;
+    TableAxes axes = TableAxes::nv_roughness;
+};
+
 /// One kind of table: what a lookup returns, how it is computed, and how one lookup is judged. A
 /// kind joins by one row; --help, files, self-checks, previews and tests find it there.
 struct TableKind {
@@ -25,6 +32,8 @@ struct TableKind {
     bool has_geometry = true;  ///< whether TablePlan::geometry matters
     bool has_methods = true;   ///< whether it can be computed by every split_sum_methods()
     int probes = 128;          ///< points a self-check judges; fewer where judging one is slow
+    TableDefaults defaults = {};
+    bool wants_floats = false;  ///< whether half floats are too coarse for what a renderer computes
 
     int channels() const { return static_cast<int>(channel_names.size()) / layers; }
 
@@ -49,6 +58,9 @@ struct TableKind {
 
 /// Every kind; the first is the default.
 std::span<const TableKind> table_kinds();
+
+/// The plan of a kind where nothing else is asked for.
+TablePlan default_plan(const TableKind& kind);
 
 /// The kind of a plan, which must exist and offer the plan's method. Fails with bad_argument, naming
 /// what there is.

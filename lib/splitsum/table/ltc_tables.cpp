@@ -10,6 +10,8 @@
 #include "splitsum/ltc/ltc_table.h"
 #include "splitsum/ltc/polygon_light.h"
 #include "splitsum/ltc/polygon_reference.h"
+#include "splitsum/table/ltc_between.h"
+#include "splitsum/table/ltc_lookup.h"
 #include "splitsum/table/split_sum.h"
 #include "splitsum/table/split_sum_exact.h"
 
@@ -56,8 +58,9 @@ Result<Table> bake_ltc(LtcTarget target, const TablePlan& plan, const TableGrid&
     const auto magnitude = magnitudes(target, plan, grid, progress);
     if (!magnitude) return magnitude.error();
     progress.begin("transformed cosines", static_cast<int>(grid.n_dot_v.size()));
-    const auto inverse = fit_ltc_table(target, grid.n_dot_v, grid.perceptual_roughness, progress);
+    auto inverse = fit_ltc_table(target, grid.n_dot_v, grid.perceptual_roughness, progress);
     if (!inverse) return inverse.error();
+    if (target == LtcTarget::ggx) fit_between_views(*inverse, grid);
 
     const int columns = static_cast<int>(grid.n_dot_v.size());
     const int rows = static_cast<int>(grid.perceptual_roughness.size());
@@ -103,11 +106,12 @@ double error_of_ltc(LtcTarget target, double n_dot_v, double perceptual_roughnes
         exact = {sum.a + sum.b, sum.b};
     }
     double error = std::max(std::abs(read[4] - exact.albedo), std::abs(read[5] - exact.weighted));
-    const LtcInverse inverse{.m00 = read[0], .m20 = read[1], .m02 = read[2], .m22 = read[3]};
+    const LtcInverse inverse = ltc_inverse(read);
     const TargetLobe lobe(target, n_dot_v, perceptual_roughness);
     for (const Polygon& light : judging_lights())
-        error = std::max(error, std::abs(read[4] * ltc_polygon_light(inverse, light) -
-                                         polygon_light_reference(lobe, light)));
+        error =
+            std::max(error, std::abs(ltc_reflectance(read, 1) * ltc_polygon_light(inverse, light) -
+                                     polygon_light_reference(lobe, light)));
     return error;
 }
 

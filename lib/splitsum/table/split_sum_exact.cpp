@@ -6,6 +6,7 @@
 
 #include "splitsum/brdf/ggx.h"
 #include "splitsum/math/quadrature.h"
+#include "splitsum/table/graded_detail.h"
 
 namespace splitsum {
 namespace {
@@ -44,24 +45,15 @@ SplitSum integrand(const Setting& at, double cos_phi, double theta) {
     return {(1 - fresnel) * reflected, fresnel * reflected};
 }
 
-// Integrates f from `from` away to `to` (either side) on panels that start at half of `first` and
-// grow with the distance: whatever happens on that length at `from` is resolved.
+// Panels that start at half of `first` at `from`.
 template <class Function>
-SplitSum integrate_graded(const QuadratureRule& rule, double from, double to, double first,
-                          const Function& f) {
+SplitSum graded(const QuadratureRule& rule, double from, double to, double first,
+                const Function& f) {
     SplitSum sum{0, 0};
-    const double length = std::abs(to - from);
-    const double sign = to < from ? -1 : 1;
-    for (double near = 0; near < length;) {
-        const double far = std::min(length, near + 0.5 * std::max(first, near));
-        for (size_t i = 0; i < rule.nodes.size(); ++i) {
-            const double distance = near + 0.5 * (far - near) * (1 + rule.nodes[i]);
-            const double weight = 0.5 * (far - near) * rule.weights[i];
-            const SplitSum value = f(from + sign * distance);
-            sum = sum + SplitSum{weight * value.a, weight * value.b};
-        }
-        near = far;
-    }
+    visit_graded(rule, from, to, first, 0.5, [&](double at, double weight) {
+        const SplitSum value = f(at);
+        sum = sum + SplitSum{weight * value.a, weight * value.b};
+    });
     return sum;
 }
 
@@ -74,8 +66,7 @@ SplitSum integrate_theta(const Setting& at, double phi) {
     const double middle = 0.5 * horizon;
     // At the horizon n·l competes with alpha, and with n·v in the height-correlated term.
     const double first = at.n_dot_v > 0 ? std::min(at.alpha, at.n_dot_v) : at.alpha;
-    return integrate_graded(at.rule, 0, middle, first, f) +
-           integrate_graded(at.rule, horizon, middle, first, f);
+    return graded(at.rule, 0, middle, first, f) + graded(at.rule, horizon, middle, first, f);
 }
 
 }  // namespace
@@ -94,8 +85,8 @@ SplitSum split_sum_exact(SmithTerm term, double n_dot_v, double alpha, int nodes
     // competes with alpha there.
     constexpr double quarter = 0.5 * std::numbers::pi;
     const double first = n_dot_v > 0 ? n_dot_v : alpha;
-    const SplitSum half = integrate_graded(rule, quarter, 0, first, f) +
-                          integrate_graded(rule, quarter, 2 * quarter, first, f);
+    const SplitSum half =
+        graded(rule, quarter, 0, first, f) + graded(rule, quarter, 2 * quarter, first, f);
     return {2 * half.a, 2 * half.b};
 }
 

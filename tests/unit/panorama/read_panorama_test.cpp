@@ -9,8 +9,8 @@
 
 #include "splitsum/base/file_hash.h"
 #include "splitsum/base/parallel.h"
-#include "splitsum/imageio/png_file.h"
 #include "splitsum/panorama/panorama.h"
+#include "splitsum/png/write_png.h"
 
 namespace splitsum {
 namespace {
@@ -155,7 +155,7 @@ TEST(ReadPanorama, TheOptionOverrulesTheFile) {
 
 TEST(ReadPanorama, DecodesSrgb) {
     const fs::path path = fs::path(testing::TempDir()) / "srgb_panorama.png";
-    ASSERT_TRUE(write_png_rgb8(path, 2, 1, std::vector<uint8_t>{0, 51, 255, 128, 188, 10}));
+    ASSERT_TRUE(write_png(path, 2, 1, std::vector<uint8_t>{0, 51, 255, 128, 188, 10}));
     NoProgress progress;
     const auto panorama = read_panorama(path, {}, progress);
     ASSERT_TRUE(panorama) << panorama.error().message;

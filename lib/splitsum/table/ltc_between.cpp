@@ -1,0 +1,54 @@
+#include "splitsum/table/ltc_between.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace splitsum {
+namespace {
+
+// 1 up to `all` and 0 from `none` on.
+double fading(double perceptual_roughness, double all, double none) {
+    return std::clamp((none - perceptual_roughness) / (none - all), 0.0, 1.0);
+}
+
+// What remains of m after a share of a second difference is taken away.
+double straightened(double before, double m, double after, double share) {
+    return m - share / 12 * (before - 2 * m + after);
+}
+
+void straighten_row(std::span<LtcInverse> row, double share) {
+    const std::vector<LtcInverse> found(row.begin(), row.end());
+    for (size_t i = 1; i + 1 < row.size(); ++i) {
+        const LtcInverse &a = found[i - 1], &m = found[i], &b = found[i + 1];
+        const LtcInverse moved{.m00 = straightened(a.m00, m.m00, b.m00, share),
+                               .m20 = straightened(a.m20, m.m20, b.m20, share),
+                               .m02 = straightened(a.m02, m.m02, b.m02, share),
+                               .m22 = straightened(a.m22, m.m22, b.m22, share)};
+        if (determinant(moved) > 0) row[i] = moved;
+    }
+}
+
+void point_along_horizon(LtcInverse& edge_on, const LtcInverse& neighbour, double share) {
+    LtcInverse moved = edge_on;
+    moved.m00 *= 1 - share;
+    moved.m02 += share * (neighbour.m02 - edge_on.m02);
+    if (determinant(moved) > 0) edge_on = moved;
+}
+
+}  // namespace
+
+void fit_between_views(std::span<LtcInverse> matrices, const TableGrid& grid) {
+    const size_t columns = grid.n_dot_v.size();
+    for (size_t y = 0; y < grid.perceptual_roughness.size(); ++y) {
+        const double r = grid.perceptual_roughness[y];
+        const auto row = matrices.subspan(y * columns, columns);
+        // Views are in the order of the axis: with texels at its ends the last is seen edge on, and the
+        // interval before it is exact with the neighbour as it is.
+        const bool ends_edge_on = columns > 1 && grid.n_dot_v.back() == 0;
+        straighten_row(ends_edge_on ? row.first(columns - 1) : row, fading(r, 0.1, 0.2));
+        if (ends_edge_on) point_along_horizon(row.back(), row[columns - 2], fading(r, 0.05, 0.12));
+    }
+}
+
+}  // namespace splitsum

@@ -1,0 +1,88 @@
+#include "splitsum/table/ltc_between.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace splitsum {
+namespace {
+
+// The exact matrix of a narrow lobe (tests/unit/ltc/fit_test.cpp).
+LtcInverse narrow_lobe(double n_dot_v, double alpha) {
+    const double s = std::sqrt((1 - n_dot_v) * (1 + n_dot_v)), width = 2 * alpha * n_dot_v;
+    return {
+        .m00 = n_dot_v * n_dot_v, .m20 = -width * s, .m02 = n_dot_v * s, .m22 = width * n_dot_v};
+}
+
+TableGrid grid_of_size(int size, double perceptual_roughness) {
+    TablePlan plan;
+    plan.size = size;
+    plan.layout = TexelLayout::edge;
+    TableGrid grid = grid_of(plan, ViewAxis::sqrt_one_minus_cosine);
+    grid.perceptual_roughness = {perceptual_roughness};
+    return grid;
+}
+
+std::vector<LtcInverse> exact(const TableGrid& grid) {
+    std::vector<LtcInverse> matrices;
+    const double r = grid.perceptual_roughness.front();
+    for (const double n_dot_v : grid.n_dot_v)
+        matrices.push_back(narrow_lobe(std::max(n_dot_v, 0.002), r * r));
+    return matrices;
+}
+
+// How far, in radians, the peak of what a linear filter reads lies from the mirror direction: the root
+// mean square over views on no grid, with sqrt(1 - n·v) from `from` to `to`.
+double misdirection(const std::vector<LtcInverse>& matrices, double from, double to) {
+    constexpr int count = 997;
+    double sum = 0;
+    for (int i = 0; i < count; ++i) {
+        const double t = from + (to - from) * (i + 0.5) / count, c = 1 - t * t;
+        const double at = t * static_cast<double>(matrices.size() - 1);
+        const auto low = static_cast<size_t>(at);
+        const double part = at - std::floor(at);
+        const auto mix = [&](double a, double b) { return a + part * (b - a); };
+        const double m00 = mix(matrices[low].m00, matrices[low + 1].m00);
+        const double m02 = mix(matrices[low].m02, matrices[low + 1].m02);
+        const double off = std::atan2(m00, m02) - std::asin(c);
+        sum += off * off;
+    }
+    return std::sqrt(sum / count);
+}
+
+TEST(FitBetweenViews, NarrowLobesPointWhereMirrorsDo) {
+    const TableGrid grid = grid_of_size(64, 0.02);
+    const std::vector<LtcInverse> before = exact(grid);
+    std::vector<LtcInverse> after = before;
+    fit_between_views(after, grid);
+    // Of a parabola it would be sqrt(6).
+    EXPECT_LT(misdirection(after, 0.1, 0.95), 0.5 * misdirection(before, 0.1, 0.95));
+    // The interval that ends edge on.
+    EXPECT_LT(misdirection(after, 62.0 / 63, 1), 0.05 * misdirection(before, 62.0 / 63, 1));
+    for (const LtcInverse& m : after) EXPECT_GT(determinant(m), 0);
+}
+
+TEST(FitBetweenViews, WideLobesStayAsTheyAre) {
+    const TableGrid grid = grid_of_size(64, 0.25);
+    const std::vector<LtcInverse> before = exact(grid);
+    std::vector<LtcInverse> after = before;
+    fit_between_views(after, grid);
+    for (size_t i = 0; i < after.size(); ++i) {
+        EXPECT_EQ(after[i].m00, before[i].m00);
+        EXPECT_EQ(after[i].m02, before[i].m02);
+    }
+}
+
+TEST(FitBetweenViews, TakesGridsOfAnySize) {
+    for (const int size : {2, 3}) {
+        const TableGrid grid = grid_of_size(size, 0.01);
+        std::vector<LtcInverse> matrices = exact(grid);
+        fit_between_views(matrices, grid);
+        for (const LtcInverse& m : matrices) EXPECT_GT(determinant(m), 0) << size;
+    }
+}
+
+}  // namespace
+}  // namespace splitsum
