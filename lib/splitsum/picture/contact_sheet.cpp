@@ -10,7 +10,7 @@
 #include "splitsum/base/parallel.h"
 #include "splitsum/color/display.h"
 #include "splitsum/imageio/png_file.h"
-#include "splitsum/picture/cubemap_lookup.h"
+#include "splitsum/sphere/cubemap_lookup.h"
 
 namespace splitsum {
 namespace {
