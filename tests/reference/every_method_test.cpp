@@ -115,8 +115,8 @@ TEST_P(EveryMethod, IsLinear) {
     const auto of_a = filtered(GetParam(), a, directions),
                of_b = filtered(GetParam(), b, directions);
     const auto of_sum = filtered(GetParam(), sum, directions);
-    // Methods that choose effort or points by the scene may miss 3e-4 (rms over the sphere) each time,
-    // and more in the dark part of it.
+    // Methods that choose their effort or points by the scene may miss 3e-4 (rms over the sphere)
+    // each time, and more in the dark part of it.
     const std::string_view name = GetParam().method.name;
     const bool adaptive = name == "spectral" || name == "auto" || name == "mis";
     const float limit = adaptive ? 1e-3f : 2e-5f;

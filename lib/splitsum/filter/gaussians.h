@@ -38,8 +38,8 @@ SphericalGaussians fit_gaussians(const FilterSource& source, int count,
 /// E(normal) / pi of the lobes, in closed form.
 Vec3d irradiance_over_pi(const SphericalGaussians& gaussians, const Vec3d& normal);
 
-/// E / pi of a lobe of amplitude 1 on a normal at this cosine from its axis. Both ends, cosine 1 and
-/// -1, are exact; the ramp between them is Hill's (in Pettineo 2016, "SG Series Part 3: Diffuse
+/// E / pi of a lobe of amplitude 1 on a normal at this cosine from its axis. Both ends, cosine 1
+/// and -1, are exact; the ramp between them is Hill's (in Pettineo 2016, "SG Series Part 3: Diffuse
 /// Lighting From an SG Light Source"): the clamped cosine, rounded by a parabola. Absolute error
 /// at most 1.2 % of the value at cosine 1, for sharpness 1 to 64 (tested).
 double gaussian_irradiance_over_pi(double sharpness, double cosine);

@@ -10,8 +10,8 @@ namespace splitsum {
 ///
 /// Active sets (Lawson & Hanson 1974, "Solving Least Squares Problems", ch. 23): unknowns enter the
 /// set of free ones where the gradient says so and leave it at 0. A diagonal share of 1e-10 keeps
-/// nearly dependent columns apart. At the end the free unknowns have no gradient and the others none
-/// that would lower the sum (tested to 1e-8 of the largest b). Cost: n³ / 6 for each of about n steps.
+/// nearly dependent columns apart. At the end the free unknowns have no gradient and the others
+/// none that would lower the sum (tested to 1e-8 of the largest b). Cost: about n steps of n³ / 6.
 std::vector<double> non_negative_least_squares(std::span<const double> matrix,
                                                std::span<const double> rhs);
 

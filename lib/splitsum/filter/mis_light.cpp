@@ -56,17 +56,18 @@ LightSampler::LightSampler(const Environment& environment)
     });
     std::partial_sum(row_ends_.begin(), row_ends_.end(), row_ends_.begin());
     total_ = row_ends_.back();
+    for (int y = 0; y <= environment.height(); ++y)
+        edge_cosines_.push_back(std::cos(pi * y / environment.height()));
 }
 
 LightSampler::Sample LightSampler::sample(const Vec2d& u) const {
-    const int width = environment_.width(), height = environment_.height();
+    const int width = environment_.width();
     const Place row = place_in(row_ends_, u.x);
     const Place column =
         place_in({column_ends_.data() + size_t(row.index) * size_t(width), size_t(width)}, u.y);
     // Uniform in the cosine and the azimuth is uniform over the solid angle.
-    const double top = std::cos(pi * row.index / height);
-    const double bottom = std::cos(pi * (row.index + 1) / height);
-    const double cosine = top + row.within * (bottom - top);
+    const double* edge = edge_cosines_.data() + row.index;
+    const double cosine = edge[0] + row.within * (edge[1] - edge[0]);
     const double sine = std::sqrt((1 - cosine) * (1 + cosine));
     const double azimuth = 2 * pi * ((column.index + column.within) / width - 0.5);
     return at(column.index, row.index,

@@ -44,8 +44,9 @@ private:
 
     const Environment& environment_;
     Vec3d floor_;
-    std::vector<double> column_ends_;  // per row, the sums of its weights up to each texel
-    std::vector<double> row_ends_;     // the sums of weight times solid angle up to each row
+    std::vector<double> column_ends_;   // per row, the sums of its weights up to each texel
+    std::vector<double> row_ends_;      // the sums of weight times solid angle up to each row
+    std::vector<double> edge_cosines_;  // of the polar angles between rows
     double total_ = 0;
 };
 

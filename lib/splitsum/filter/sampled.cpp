@@ -100,17 +100,21 @@ struct TexelReader {
 // The level whose texels come closest to the footprint, by ratio of solid angles. Footprints are
 // taken larger than 1 / (N pdf), so that neighbours overlap: of the factors 1/4, 1/2, 1, sqrt 2
 // and 2, this one has the smallest error on the four captures named in tests/benchmarks/README.md.
-const RingLevel& level_of_footprint(const RingPyramid& pyramid, double solid_angle) {
+const RingLevel& level_of_footprint(const std::vector<RingLevel>& levels, double finest,
+                                    double solid_angle) {
     constexpr double overlap = std::numbers::sqrt2;
-    const auto& levels = pyramid.levels;
-    const double halvings = std::log2(overlap * solid_angle / levels[0].solid_angle());
+    const double halvings = std::log2(overlap * solid_angle / finest);
     return levels[size_t(std::clamp<double>(std::round(halvings), 0, double(levels.size() - 1)))];
 }
 
 RingLookups levels_of_samples(const RingPyramid& pyramid, const SampleSet& set) {
     RingLookups lookups;
+    lookups.level.reserve(set.solid_angle.size());
+    lookups.ring_count.reserve(set.solid_angle.size());
+    const double finest = pyramid.levels[0].solid_angle();
     for (const float solid_angle : set.solid_angle) {
-        const RingLevel& level = level_of_footprint(pyramid, std::max(double(solid_angle), 1e-30));
+        const RingLevel& level =
+            level_of_footprint(pyramid.levels, finest, std::max(double(solid_angle), 1e-30));
         lookups.level.push_back(&level);
         lookups.ring_count.push_back(float(level.ring_count));
     }
