@@ -32,8 +32,8 @@ std::vector<Vec3> kept(const Environment& sky) {
     const auto filter = prepare_reference(sky, lobes, {});
     std::vector<Vec3> radiance(lobes.size() * directions.size());
     for (size_t i = 0; i < lobes.size(); ++i)
-        filter->evaluate(
-            i, {directions}, std::span(radiance).subspan(i * directions.size(), directions.size()));
+        filter->evaluate(i, {directions},
+                         std::span(radiance).subspan(i * directions.size(), directions.size()));
     return radiance;
 }
 
