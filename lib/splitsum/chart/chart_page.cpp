@@ -89,7 +89,7 @@ void add_panels(std::ostream& out, const Chart& chart,
                 const std::vector<InlinedPicture>& pictures) {
     out << "<h2>Speed against accuracy</h2>\n<p class=\"note\">Both axes are logarithmic: lower is "
            "nearer to the truth, left is faster. The grey steps join the rows that nothing beats; "
-           "they are bold in the tables. Small numbers are the efforts at both ends of a line."
+           "they are bold in the tables. A small number is the last effort of a line."
            "</p>\n<div class=\"panels\">\n";
     for (size_t i = 0; i < chart.panels.size(); ++i) {
         const MeasuredPanel& panel = chart.panels[i];

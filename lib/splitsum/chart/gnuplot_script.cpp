@@ -1,7 +1,5 @@
 #include "splitsum/chart/gnuplot_script.h"
 
-#include <algorithm>
-#include <cmath>
 #include <sstream>
 
 #include "splitsum/base/text.h"
@@ -37,7 +35,7 @@ std::string heading(const Chart& chart) {
 }
 
 void draw_all(std::ostream& out, const Terminal& terminal, const Chart& chart) {
-    const PlotGrid grid(int(chart.panels.size()), 3, 460, 360, 150);
+    const PlotGrid grid(int(chart.panels.size()), {3, 460, 360, 50, 150});
     open(out, terminal, "chart", grid.width(), grid.height());
     out << "set multiplot title " << gnuplot_string(heading(chart)) << " noenhanced font ',18'\n";
     for (size_t i = 0; i < chart.panels.size(); ++i) {
@@ -52,7 +50,7 @@ void draw_all(std::ostream& out, const Terminal& terminal, const Chart& chart) {
 void draw_storage(std::ostream& out, const Terminal& terminal, const Chart& chart) {
     const std::vector<StoragePanel> panels = storage_panels(chart);
     if (panels.empty()) return;
-    const PlotGrid grid(int(panels.size()), std::min<int>(4, int(panels.size())), 400, 360, 60);
+    const PlotGrid grid(int(panels.size()), {4, 400, 360, 50, 60});
     open(out, terminal, "storage", grid.width(), grid.height());
     out << "set multiplot title " << gnuplot_string("What an engine reads from the stored levels")
         << " noenhanced font ',18'\n";
@@ -65,18 +63,23 @@ void draw_storage(std::ostream& out, const Terminal& terminal, const Chart& char
     out << "unset multiplot\nset output\n";
 }
 
+// A picture of one panel with a key of so many lines below.
+void open_single(std::ostream& out, size_t picture, size_t entries) {
+    const PlotGrid grid(1, {.heading = 15, .legend = 20 + 10 * int(entries + 1)});
+    open(out, svg, cat("panel-", picture), grid.width(), grid.height());
+    out << grid.place(0) << grid.key(int(entries));
+}
+
 void draw_singles(std::ostream& out, const Chart& chart) {
-    int picture = 0;
+    size_t picture = 0;
     for (size_t i = 0; i < chart.panels.size(); ++i) {
-        open(out, svg, cat("panel-", picture++), 640, 560);
-        out << "set key below maxcols 2 noenhanced samplen 3\n";
+        open_single(out, picture++, legend_entries(chart, i));
         draw_panel(out, chart, i, PanelDetail::alone);
         out << "set output\n";
     }
     const std::vector<StoragePanel> panels = storage_panels(chart);
     for (size_t i = 0; i < panels.size(); ++i) {
-        open(out, svg, cat("panel-", picture++), 640, 500);
-        out << "set key below maxcols 3 noenhanced samplen 3\n";
+        open_single(out, picture++, panels[i].lines.size());
         draw_storage_panel(out, i, panels[i]);
         out << "set output\n";
     }

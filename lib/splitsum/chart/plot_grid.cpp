@@ -6,12 +6,10 @@
 
 namespace splitsum {
 
-PlotGrid::PlotGrid(int panels, int columns, int panel_width, int panel_height, int legend_height)
-    : columns_(std::max(1, std::min(panels, columns))),
-      rows_((panels + columns_ - 1) / columns_),
-      panel_width_(panel_width),
-      panel_height_(panel_height),
-      legend_height_(legend_height) {}
+PlotGrid::PlotGrid(int panels, const PlotLayout& layout) : layout_(layout) {
+    layout_.columns = std::max(1, std::min(panels, layout.columns));
+    rows_ = (panels + layout_.columns - 1) / layout_.columns;
+}
 
 // Pixels from the left and from the top.
 std::string PlotGrid::margins(double left, double right, double top, double bottom) const {
@@ -21,14 +19,20 @@ std::string PlotGrid::margins(double left, double right, double top, double bott
 }
 
 std::string PlotGrid::place(int index) const {
-    const double left = index % columns_ * panel_width_;
-    const double top = heading_ + index / columns_ * panel_height_;
-    return margins(left + 75, left + panel_width_ - 15, top + 35, top + panel_height_ - 60);
+    const double left = index % layout_.columns * layout_.panel_width;
+    const double top = layout_.heading + index / layout_.columns * layout_.panel_height;
+    return margins(left + 75, left + layout_.panel_width - 18, top + 35,
+                   top + layout_.panel_height - 60);
 }
 
 std::string PlotGrid::legend() const {
-    const double top = height() - legend_height_;
-    return margins(20, width() - 20, top, height() - 10);
+    return margins(20, width() - 20, height() - layout_.legend, height() - 10);
+}
+
+std::string PlotGrid::key(int entries) const {
+    return cat("set key at screen 0.5, screen ", double(layout_.legend) / height(),
+               " center top vertical maxrows ", (entries + 1) / 2,
+               " Left reverse noenhanced samplen 2 width -5 font ',12'\n");
 }
 
 }  // namespace splitsum

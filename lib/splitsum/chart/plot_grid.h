@@ -4,28 +4,34 @@
 
 namespace splitsum {
 
+/// Sizes of the parts of a picture, in pixels; a panel's include its title and axis labels.
+struct PlotLayout {
+    int columns = 1;
+    int panel_width = 480;
+    int panel_height = 370;
+    int heading = 0;
+    int legend = 0;  ///< height of the strip at the bottom
+};
+
 /// Where panels stand in a picture: row by row under a heading, with a strip for the legend below.
 class PlotGrid {
 public:
-    /// `panel_width` and `panel_height` in pixels, axis labels included; `legend_height` likewise.
-    PlotGrid(int panels, int columns, int panel_width, int panel_height, int legend_height);
+    PlotGrid(int panels, const PlotLayout& layout);
 
-    int width() const { return columns_ * panel_width_; }
-    int height() const { return heading_ + rows_ * panel_height_ + legend_height_; }
+    int width() const { return layout_.columns * layout_.panel_width; }
+    int height() const { return layout_.heading + rows_ * layout_.panel_height + layout_.legend; }
 
     /// gnuplot's margins for panel `index`, and for the strip of the legend.
     std::string place(int index) const;
     std::string legend() const;
+    /// The key of a single panel, of `entries` lines in two columns, in the strip.
+    std::string key(int entries) const;
 
 private:
     std::string margins(double left, double right, double top, double bottom) const;
 
-    static constexpr int heading_ = 50;
-    int columns_;
+    PlotLayout layout_;
     int rows_;
-    int panel_width_;
-    int panel_height_;
-    int legend_height_;
 };
 
 }  // namespace splitsum

@@ -71,16 +71,13 @@ const Measurement* reference_of(const MeasuredPanel& panel) {
     return found == panel.rows.end() ? nullptr : &*found;
 }
 
-// The last effort of every line, beside its last point, and the first one at its first.
+// The last effort of every line, beside its last point.
 void add_efforts(std::ostream& out, const Chart& chart, size_t index) {
-    const MeasuredPanel& panel = chart.panels[index];
-    for (const size_t place : lines_of(chart, panel)) {
+    for (const size_t place : lines_of(chart, chart.panels[index])) {
         const std::string block = cat("$panel", index, "_", place);
-        for (const char* end : {"0::0", "last::last"})
-            out << ", \\\n  " << block << " every ::"
-                << (end[0] == '0' ? std::string("0::0")
-                                  : cat("(|", block, "|-1)::(|", block, "|-1)"))
-                << " using 1:2:3 with labels offset 0,0.8 font ',10' tc rgb '#555555' notitle";
+        const std::string last = cat("(|", block, "|-1)");
+        out << ", \\\n  " << block << " every ::" << last << "::" << last
+            << " using 1:2:3 with labels offset 0,0.8 font ',10' tc rgb '#555555' notitle";
     }
 }
 
@@ -102,6 +99,11 @@ void add_panel_data(std::ostream& out, const Chart& chart) {
         }
         add_front(out, panel, index);
     }
+}
+
+size_t legend_entries(const Chart& chart, size_t index) {
+    const MeasuredPanel& panel = chart.panels[index];
+    return lines_of(chart, panel).size() + (reference_of(panel) ? 2 : 1);  // the front is one
 }
 
 void draw_panel(std::ostream& out, const Chart& chart, size_t index, PanelDetail detail) {
