@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "splitsum/math/low_discrepancy.h"
 
@@ -66,6 +67,17 @@ TEST(PointList, KeysTellListsApart) {
         EXPECT_EQ(PointList::random(key)[7], PointList::random(key)[7]);
     }
     EXPECT_EQ(first.size(), 10u);
+}
+
+// Lists are parts of one long sequence; those of neighbouring directions must not overlap.
+TEST(PointList, ListsHaveNoPointInCommon) {
+    std::set<std::pair<double, double>> points;
+    for (uint32_t direction = 0; direction < 50; ++direction)
+        for (uint32_t i = 0; i < 200; ++i) {
+            const Vec2d p = PointList::random({0, direction, 1})[i];
+            points.emplace(p.x, p.y);
+        }
+    EXPECT_EQ(points.size(), 50u * 200u);
 }
 
 TEST(PointList, HammersleyIsMovedAsOne) {
