@@ -2,6 +2,7 @@
 
 #include <iostream>
 
+#include "atlas_option.h"
 #include "chart_files.h"
 #include "common/values.h"
 #include "splitsum/base/staged_folder.h"
@@ -40,10 +41,15 @@ ChartOptions::ChartOptions(CLI::App& app)
     app.add_option("PANORAMA", panoramas, "2:1 lat-long images: .exr, .hdr, .tif, .pfm, ...")
         ->option_text("...")
         ->check(not_empty());
+    app.add_flag("--atlas", atlas,
+                 "instead, without panoramas: the cases at which methods fail, what each\n"
+                 "method makes of them and what the tools do about them, as atlas.html,\n"
+                 "atlas.json and atlas.csv; half a minute, for example: --atlas -o atlas");
     app.add_flag("--quick", quick, "smaller ladders and assets: half a minute a panorama");
 }
 
 Result<ExitCode> run_chart(const ChartOptions& options, Progress& progress) {
+    if (options.atlas) return run_atlas_option(options, progress);
     if (options.panoramas.empty())
         return Error{
             ErrorKind::bad_argument,

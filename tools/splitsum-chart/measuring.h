@@ -13,7 +13,7 @@
 
 namespace splitsum::tools {
 
-/// PANORAMA..., how they are read, -o and --quick.
+/// PANORAMA..., how they are read, -o, --quick and --atlas.
 struct ChartOptions {
     explicit ChartOptions(CLI::App& app);
     ChartOptions(const ChartOptions&) = delete;
@@ -22,6 +22,7 @@ struct ChartOptions {
     ReadingOptions reading;
     OutputOptions output;
     bool quick = false;
+    bool atlas = false;
 };
 
 /// Measures the methods under the panoramas and writes the chart. Interrupted, it writes what was

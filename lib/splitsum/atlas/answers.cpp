@@ -1,6 +1,7 @@
 #include "splitsum/atlas/answers.h"
 
 #include <cmath>
+#include <iomanip>
 #include <memory>
 
 #include "splitsum/base/text.h"
@@ -18,7 +19,7 @@ bool filters(const FilterMethod& method, const Lobe& lobe) {
 std::string how(const LevelAccount& account) {
     std::string text = account.method;
     if (account.bands > 0) text += cat(", ", account.bands, " bands");
-    if (account.error_bound > 0) text += cat(", bound ", account.error_bound);
+    if (account.error_bound > 0) text += cat(", bound ", std::setprecision(2), account.error_bound);
     return text;
 }
 

@@ -21,9 +21,9 @@ th { font-weight: 600; white-space: nowrap; }
 tbody th { position: sticky; left: 0; background: Canvas; }
 .files tbody th, .table-kinds tbody th { white-space: normal; min-width: 9rem; max-width: 16rem; }
 .files td { min-width: 16rem; max-width: 26rem; overflow-wrap: anywhere; }
-td small { display: block; opacity: .75; white-space: nowrap; }
-.files td small { white-space: normal; }
-.overview td { text-align: center; }
+td small { display: block; opacity: .75; min-width: 6.5rem; }
+.overview td { text-align: center; white-space: nowrap; }
+.overview tbody th { white-space: normal; min-width: 9rem; font-weight: 400; }
 .meets { color: var(--meets); } .near { color: var(--near); } .refuses { color: var(--refuses); }
 .fails { color: var(--fails); background: var(--failed); font-weight: 600; }
 td small { color: CanvasText; font-weight: 400; }

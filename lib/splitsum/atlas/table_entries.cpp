@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iomanip>
 
 #include "splitsum/atlas/entries.h"
 #include "splitsum/base/parallel.h"
@@ -48,7 +49,7 @@ AtlasCell judged(const Sums& sums, const Sums& exact, double accuracy, const Cou
     AtlasCell cell;
     cell.figures = error_figures(values, truth, 2);
     cell.figures->max_abs = max_abs;
-    cell.text = cat("max_abs ", max_abs);
+    cell.text = cat("max_abs ", std::setprecision(2), max_abs);
     cell.verdict = max_abs <= accuracy     ? Verdict::meets
                    : max_abs <= near_limit ? Verdict::near
                                            : Verdict::fails;
@@ -89,7 +90,7 @@ AtlasRow kind_row(const TableKind& kind, const AtlasPlan& plan, const Result<Tab
     row.cells.push_back({.verdict = check.at_texels <= plan.accuracy ? Verdict::meets
                                     : check.at_texels <= fitted      ? Verdict::near
                                                                      : Verdict::fails,
-                         .text = cat("max_abs ", check.at_texels)});
+                         .text = cat("max_abs ", std::setprecision(2), check.at_texels)});
     return row;
 }
 
