@@ -47,12 +47,15 @@ private:
     posix_spawnattr_t attributes_;
 };
 
-// What a program said last; its own words are better than ours.
-std::string last_line_of(const std::filesystem::path& file) {
+// What a program said last, its own words being better than ours; the file goes.
+std::string take_last_line(const std::filesystem::path& file) {
     std::ifstream in(file);
     std::string last;
     for (std::string line; std::getline(in, line);)
         if (line.find_first_not_of(' ') != std::string::npos) last = line;
+    in.close();
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);
     return last;
 }
 
@@ -70,6 +73,8 @@ Status run_gnuplot(const std::filesystem::path& script, const std::filesystem::p
     char* arguments[] = {program.data(), argument.data(), nullptr};
     pid_t child = 0;
     const int failure = Launch(folder)(child, arguments);
+    const int status = failure == 0 ? wait_for(child) : 0;
+    const std::string complaint = take_last_line(folder / complaints);
     if (failure == ENOENT)
         return Error{ErrorKind::internal,
                      "no pictures: gnuplot is not installed (Debian: apt-get install gnuplot-nox); "
@@ -77,10 +82,6 @@ Status run_gnuplot(const std::filesystem::path& script, const std::filesystem::p
     if (failure != 0)
         return Error{ErrorKind::internal,
                      cat("no pictures: gnuplot cannot be started: ", std::strerror(failure))};
-    const int status = wait_for(child);
-    const std::string complaint = last_line_of(folder / complaints);
-    std::error_code ignored;
-    std::filesystem::remove(folder / complaints, ignored);
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return ok;
     return Error{ErrorKind::internal, cat("no pictures: gnuplot failed: ", complaint)};
 }
