@@ -4,7 +4,7 @@
 
 namespace splitsum {
 
-int default_probes(int panorama_height) { return panorama_height <= 1024 ? 8 : 2; }
+int default_probes(int panorama_height) { return panorama_height <= 1024 ? 8 : 1; }
 
 LevelCheck check_level(const Cubemap& cubemap, const ExactTexels& exact, double stored_factor) {
     std::vector<Vec3> stored;

@@ -23,7 +23,7 @@ struct LevelCheck {
 };
 
 /// Texels a level that a bake measures unless it is told: few, so that measuring takes a tenth of
-/// the time of a bake. 8, or 2 of panoramas of more than 1024 rows, where reading is most of the work.
+/// the time of a bake. 8, or 1 of panoramas of more than 1024 rows, where reading is most of the work.
 int default_probes(int panorama_height);
 
 /// How the stored texels relate to the panorama.
