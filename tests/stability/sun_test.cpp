@@ -1,4 +1,4 @@
-// Rows 4, 9, 10 and 11: a sun of one texel, a million times brighter than the sky.
+// Rows 4, 9 and 11: a sun of one texel, a million times brighter than the sky.
 #include <algorithm>
 
 #include "splitsum/filter/irradiance_harmonics.h"

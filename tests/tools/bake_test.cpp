@@ -201,6 +201,59 @@ TEST(SplitsumBake, ReportJsonHasEveryFigureOfReportText) {
         EXPECT_EQ(fs::file_size(folder / "lopsided" / std::string(file["name"])), file["bytes"]);
 }
 
+// Each level of report.txt: where its light is, and what was cut off.
+TEST(SplitsumBake, ReportTextTellsWhatBecameOfTheLight) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(bake({data + "/panoramas/sun.exr"}, folder.path()).exit_code, 0);
+    const Json json = json_in(folder / "sun/report.json");
+    const Json& source = json["source"]["mean_radiance"];
+    std::istringstream lines(bytes_of(folder / "sun/report.txt"));
+    size_t compared = 0;
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string name, level;
+        words >> name >> level;
+        if (name != "light") continue;
+        const Json& entry = level == "diff." ? json["measured"]["irradiance"]
+                                             : json["measured"]["specular"].at(std::stoul(level));
+        double red, green, blue, gained;
+        int64_t clamped, saturated;
+        ASSERT_TRUE(words >> red >> green >> blue >> gained >> clamped >> saturated) << line;
+        const Json& mean = entry["mean_radiance"];
+        EXPECT_NEAR(red, mean[0], 1e-5 * red);
+        EXPECT_NEAR(green, mean[1], 1e-5 * green);
+        EXPECT_NEAR(blue, mean[2], 1e-5 * blue);
+        const double in = double(source[0]) + double(source[1]) + double(source[2]);
+        EXPECT_NEAR(gained, (double(mean[0]) + double(mean[1]) + double(mean[2])) / in - 1,
+                    6e-3 * std::abs(gained) + 1e-9);
+        EXPECT_EQ(entry["clamped_negative"], clamped);
+        EXPECT_EQ(entry["saturated"], saturated);
+        ++compared;
+    }
+    EXPECT_EQ(compared, 4u);
+}
+
+// A tenth of a bake is what a few probes cost; without them there are bounds, and no figures.
+TEST(SplitsumBake, MeasuresUnlessToldNotTo) {
+    const TemporaryFolder folder;
+    const auto run = [&](std::vector<std::string> options) {
+        std::vector<std::string> arguments = {
+            lopsided, "-o",     folder.path().string(), "--size", "16",           "--levels",
+            "3",      "--json", "--irradiance-size",    "8",      "--table-size", "8"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        EXPECT_EQ(run_tool(tool, arguments).exit_code, 0);
+        return json_in(folder / "lopsided/report.json")["measured"];
+    };
+    EXPECT_EQ(run({})["probes_per_level"], 8);
+    EXPECT_EQ(run({"--verify"})["specular"][0]["texels"], 8);
+    EXPECT_EQ(run({"--verify", "--probes", "3"})["specular"][1]["texels"], 3);
+    const Json unmeasured = run({"--no-verify"});
+    EXPECT_EQ(unmeasured["probes_per_level"], 0);
+    EXPECT_FALSE(unmeasured["specular"][1].contains("rel_rms"));
+    EXPECT_TRUE(unmeasured["specular"][1].contains("error_bound"));
+    EXPECT_TRUE(unmeasured["specular"][1].contains("mean_radiance"));
+}
+
 // An asset's figures are those that splitsum-compare finds in the file.
 TEST(SplitsumBake, ReportsWhatCompareFinds) {
     const TemporaryFolder folder;

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "splitsum/report/certificate.h"
 #include "support/temporary_folder.h"
 #include "tools/programs.h"
 #include "tools/textures.h"
@@ -22,13 +23,13 @@ protected:
     std::string path(const std::string& name) {
         const std::string file = (folder_ / name).string();
         if (std::filesystem::exists(file)) return file;
+        if (name == "older.ktx2") strip_metadata("chain.ktx2", file, "splitsum.certificate.");
         if (name == "foreign.ktx2") strip_metadata("chain.ktx2", file);
         if (name == "foreign_diffuse.ktx2") strip_metadata("diffuse.ktx2", file);
         for (const Recipe& recipe : recipes()) {
             if (name != recipe.name) continue;
             std::vector<std::string> arguments = recipe.arguments;
-            if (recipe.tool != std::string("splitsum-brdf"))
-                arguments.insert(arguments.end(), {lopsided, "--probes", "0"});
+            if (recipe.tool != std::string("splitsum-brdf")) arguments.push_back(lopsided);
             arguments.insert(arguments.end(), {"-o", file});
             EXPECT_EQ(run_tool(recipe.tool, arguments).exit_code, 0) << name;
         }
@@ -48,6 +49,8 @@ protected:
         return {
             {"chain.ktx2", specular, {"--size", "16", "--levels", "4"}},
             {"chain.exr", specular, {"--size", "16", "--levels", "4"}},
+            {"quick.ktx2", specular, {"--size", "16", "--levels", "4", "--no-verify"}},
+            {"zstd.ktx2", specular, {"--size", "16", "--levels", "2", "--zstd"}},
             {"rough.ktx2",
              specular,
              {"--size", "16", "--levels", "4", "--method", "importance", "--samples", "4"}},
@@ -63,11 +66,13 @@ protected:
         };
     }
 
-    /// The same texture as a tool that says nothing would have written it.
-    void strip_metadata(const std::string& from, const std::string& to) {
+    /// The same texture as a tool that says less would have written it: without keys that begin so.
+    void strip_metadata(const std::string& from, const std::string& to,
+                        const std::string& prefix = "") {
         auto texture = read_texture(path(from));
         ASSERT_TRUE(texture);
-        texture->metadata.clear();
+        std::erase_if(texture->metadata,
+                      [&](const auto& entry) { return entry.first.starts_with(prefix); });
         ASSERT_TRUE(write_texture(*texture, to));
     }
 
@@ -199,12 +204,75 @@ TEST_F(SplitsumCompare, NotesAnotherPanorama) {
         << run.out;
 }
 
+TEST_F(SplitsumCompare, FindsThatCertificatesHold) {
+    for (const char* asset : {"chain.ktx2", "chain.exr", "zstd.ktx2", "quick.ktx2", "rough.ktx2",
+                              "diffuse.ktx2", "e.ktx2"}) {
+        const auto alone = compare({path(asset)});
+        EXPECT_EQ(alone.exit_code, 0) << asset << "\n" << alone.out << alone.err;
+        EXPECT_NE(alone.out.find("certificate: holds"), std::string::npos) << alone.out;
+        const auto measured = compare({path(asset), "--panorama", lopsided, "--json"});
+        EXPECT_EQ(measured.exit_code, 0) << asset << "\n" << measured.out << measured.err;
+        const Json certificate = Json::parse(measured.out)["certificate"];
+        EXPECT_EQ(certificate["holds"], true);
+        EXPECT_EQ(certificate["measured"], true);
+    }
+}
+
+TEST_F(SplitsumCompare, NoticesTexelsAndKeysThatWereTamperedWith) {
+    for (const char* ending : {".ktx2", ".exr"}) {
+        const auto original = read_texture(path(std::string("chain") + ending));
+        ASSERT_TRUE(original);
+        auto texels = *original, keys = *original;
+        texels.levels[1][8] ^= std::byte{1};  // the last bit of a red half float
+        keys.metadata["splitsum.perceptual_roughness"] = "0 0.3 0.6 1";
+        for (const TextureAsset& changed : {texels, keys}) {
+            const std::string file = (folder_ / (std::string("changed") + ending)).string();
+            ASSERT_TRUE(write_texture(changed, file));
+            const auto run = compare({file});
+            EXPECT_EQ(run.exit_code, 1) << run.out;
+            EXPECT_EQ(run.err, "");
+            EXPECT_NE(run.out.find("certificate: the texels or keys are not those"),
+                      std::string::npos)
+                << run.out;
+        }
+    }
+}
+
+// Only who has the panorama can tell a sealed lie; the file alone looks well.
+TEST_F(SplitsumCompare, MeasuresWhetherCertifiedFiguresAreTrue) {
+    auto texture = read_texture(path("rough.ktx2"));
+    ASSERT_TRUE(texture);
+    texture->metadata["splitsum.certificate.rel_rms"] = "0.0001 0.0001 0.0001 0.0001";
+    texture->metadata["splitsum.certificate.hash"] = certificate_hash(*texture);
+    const std::string file = (folder_ / "liar.ktx2").string();
+    ASSERT_TRUE(write_texture(*texture, file));
+    EXPECT_EQ(compare({file}).exit_code, 0);
+    const auto run = compare({file, "--panorama", lopsided, "--json"});
+    EXPECT_EQ(run.exit_code, 1) << run.out;
+    const Json certificate = Json::parse(run.out)["certificate"];
+    EXPECT_EQ(certificate["holds"], false);
+    EXPECT_GE(certificate["contradictions"].size(), 3u);
+    // Another panorama has other figures; what was certified is not about it.
+    const auto other = compare({file, "--panorama", data + "/panoramas/studio.exr"});
+    EXPECT_EQ(other.exit_code, 0);
+    EXPECT_NE(other.out.find("were not measured again"), std::string::npos) << other.out;
+}
+
+TEST_F(SplitsumCompare, SaysPlainlyThatThereIsNoCertificate) {
+    const auto alone = compare({path("older.ktx2")});
+    expect_failure(tool, alone, 5);
+    EXPECT_NE(alone.err.find("carries no certificate"), std::string::npos) << alone.err;
+    const auto measured = compare({path("older.ktx2"), "--panorama", lopsided});
+    EXPECT_EQ(measured.exit_code, 0);
+    EXPECT_NE(measured.out.find("note: the asset carries no certificate"), std::string::npos)
+        << measured.out;
+}
+
 TEST_F(SplitsumCompare, RefusesWhatCannotBeCompared) {
     const struct {
         std::vector<std::string> arguments;
         int exit_code;
     } calls[] = {
-        {{path("chain.ktx2")}, 2},
         {{path("chain.ktx2"), path("chain.exr"), "--panorama", lopsided}, 2},
         {{path("chain.ktx2"), "--panorama", lopsided, "--limit", "rms=1"}, 2},
         {{path("chain.ktx2"), "--panorama", lopsided, "--limit", "rel_rms=small"}, 2},
@@ -215,6 +283,10 @@ TEST_F(SplitsumCompare, RefusesWhatCannotBeCompared) {
         {{path("chain.ktx2"), "--panorama", lopsided, "--roughness", "round"}, 2},
         {{path("chain.ktx2"), "--panorama", lopsided, "--roughness", "0,1"}, 5},
         {{path("none.ktx2"), "--panorama", lopsided}, 3},
+        {{path("table.ktx2")}, 5},
+        {{path("series.json")}, 5},
+        {{path("foreign.ktx2")}, 5},
+        {{path("foreign.ktx2"), "--as", "specular"}, 5},
         {{path("chain.ktx2"), "--panorama", path("none.exr")}, 3},
         {{data + "/malformed/truncated.exr", "--panorama", lopsided}, 3},
         {{path("chain.ktx2"), path("none.ktx2")}, 3},

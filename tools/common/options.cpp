@@ -46,6 +46,20 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& val
         ->check(one_of(choices));
 }
 
+// A choice among named values that ends in `value`, whose present name is the default.
+template <class Value>
+void add_named_value(CLI::App& app, const std::string& name, Value& value,
+                     std::span<const NamedValue<Value>> rows, const std::string& text) {
+    const std::vector<Choice> choices = choices_of(rows);
+    const auto store = [&value, rows](const std::string& given) {
+        value = *value_named(rows, given);
+    };
+    app.add_option_function<std::string>(
+           name, store, cat(with_default(text, name_of(rows, value)), "\n", help_of(choices)))
+        ->option_text("NAME")
+        ->check(one_of(choices));
+}
+
 std::vector<Choice> formats_for(EncodingOptions::Content content) {
     std::vector<Choice> choices;
     const auto holds = content == EncodingOptions::Content::table ? holds_tables : holds_colours;
@@ -134,11 +148,15 @@ FilterOptions::FilterOptions(CLI::App& app, const std::vector<Choice>& methods) 
         ->check(finite_number(1e-5, 0.1));
     add_whole(app, "--samples", plan.samples, 1, most_samples, "COUNT",
               "directions per texel, for methods that sample");
+    add_named_value(app, "--sequence", plan.sequence, point_sequences(),
+                    "which points importance, filtered and mis draw");
+    add_named_value(app, "--heuristic", plan.heuristic, mis_heuristics(),
+                    "how mis weighs a direction that lobe and light could both draw");
     app.add_flag(
         "--rotate-samples", plan.rotate_samples,
         "turn the directions by a different angle at each texel: noise instead of patterns");
     add_whole(app, "--seed", plan.seed, 0, std::numeric_limits<uint32_t>::max(), "NUMBER",
-              "chooses the angles of --rotate-samples");
+              "chooses the angles of --rotate-samples, random points and the points of mis");
 }
 
 SpecularOptions::SpecularOptions(CLI::App& app) {

@@ -64,8 +64,8 @@ private:
     std::vector<CLI::Option*> options_;
 };
 
-/// --method, --accuracy, --samples, --rotate-samples, --seed. `methods` are the values of --method, and one of
-/// them is the default of FilterPlan.
+/// --method, --accuracy, --samples, --sequence, --heuristic, --rotate-samples, --seed. `methods`
+/// are the values of --method, and one of them is the default of FilterPlan.
 struct FilterOptions {
     FilterOptions(CLI::App& app, const std::vector<Choice>& methods);
     FilterOptions(const FilterOptions&) = delete;

@@ -2,12 +2,12 @@
 
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "splitsum/bake/facts.h"
 #include "splitsum/base/atomic_file.h"
 #include "splitsum/base/text.h"
 #include "splitsum/filter/methods.h"
+#include "splitsum/report/certificate.h"
 #include "splitsum/report/figures_json.h"
 #include "splitsum/report/figures_text.h"
 
@@ -21,22 +21,12 @@ std::vector<Choice> methods_for(LobeKind kind) {
     return choices;
 }
 
-CubemapOutputOptions::CubemapOutputOptions(CLI::App& app, const std::string& what) {
+CubemapOutputOptions::CubemapOutputOptions(CLI::App& app, const std::string& what) : verify_(app) {
     app.add_option("-o,--output", path_, cat(what, " as ", container_endings(), " (required)"))
         ->option_text("FILE")
         ->required()
         ->check(not_empty());
-    app.add_option("--probes", probes_,
-                   "texels per level whose error against exact integration is measured, 0 for none "
-                   "(default 64, fewer above 1024 x 512, none above 2048 x 1024, where the "
-                   "panorama is streamed)")
-        ->option_text("COUNT")
-        ->check(whole_number(0, 1 << 24));
     app.add_flag("--json", json_, "print the figures as JSON");
-}
-
-int CubemapOutputOptions::probes(const Light& light) const {
-    return probes_ >= 0 ? probes_ : affordable_probes(light);
 }
 
 Status CubemapOutputOptions::check(const CubeShape& shape) const {
@@ -46,19 +36,21 @@ Status CubemapOutputOptions::check(const CubeShape& shape) const {
     return check_writable(path_);
 }
 
-Status CubemapOutputOptions::measure_and_write(const CubemapAsset& asset,
+Status CubemapOutputOptions::measure_and_write(CubemapAsset asset,
                                                const std::vector<LevelAccount>& accounts,
-                                               const Light& light,
+                                               const Light& light, const LevelsPlan& plan,
                                                const ContainerOptions& container,
                                                Progress& progress) const {
     const auto facts = facts_of(asset.texture.metadata);
     if (!facts) return facts.error();
-    const auto checks =
-        check_cubemap_asset(asset.levels, *facts, light.environment, probes(light), progress);
-    if (!checks) return checks.error();
+    const auto exact = exact_texels(light, plan, probes(), progress);
+    if (!exact) return exact.error();
+    const auto checks = check_asset(asset.levels, *facts, *exact);
+    certify(asset.texture,
+            certificate_from(accounts, asset.counts, checks, mean_radiance(light.environment)));
     if (const Status written = write_texture(asset.texture, path_, container); !written)
         return written;
-    print(*checks, accounts, asset.counts, light);
+    print(checks, accounts, asset.counts, light);
     return ok;
 }
 
@@ -90,18 +82,26 @@ void CubemapOutputOptions::print(const std::vector<LevelCheck>& checks,
     std::cout << path_.string() << "\n";
 }
 
+std::vector<LevelCheck> check_asset(const std::vector<Cubemap>& levels, const AssetFacts& facts,
+                                    std::span<const ExactTexels> exact) {
+    if (facts.kind == AssetFacts::Kind::specular)
+        return check_chain(levels, facts.perceptual_roughness, exact);
+    return {
+        check_diffuse(levels[0], exact.empty() ? ExactTexels() : exact[0], stored_factor(facts))};
+}
+
 Result<std::vector<LevelCheck>> check_cubemap_asset(const std::vector<Cubemap>& levels,
                                                     const AssetFacts& facts,
                                                     const Environment& environment, int probes,
                                                     Progress& progress) {
-    const CheckedAgainst truth{environment, panorama_from_cube(facts.orientation), probes};
-    progress.begin("measuring", probes * int(levels.size()));
-    if (facts.kind == AssetFacts::Kind::specular)
-        return check_specular(levels, facts.perceptual_roughness, truth, progress);
-    const auto check = check_irradiance(levels[0], facts.stores_irradiance ? std::numbers::pi : 1,
-                                        truth, progress);
-    if (!check) return check.error();
-    return std::vector<LevelCheck>{*check};
+    const bool is_chain = facts.kind == AssetFacts::Kind::specular;
+    const int face_size = levels[0].face_size;
+    const auto probed = is_chain ? probed_chain(face_size, facts.perceptual_roughness)
+                                 : std::vector{ProbedCubemap{{LobeKind::cosine}, face_size}};
+    const auto exact =
+        exact_texels(environment, panorama_from_cube(facts.orientation), probed, probes, progress);
+    if (!exact) return exact.error();
+    return check_asset(levels, facts, *exact);
 }
 
 }  // namespace splitsum::tools

@@ -3,10 +3,13 @@
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "common/options.h"
+#include "light/verify_options.h"
 #include "splitsum/assets/cubemap_asset.h"
 #include "splitsum/bake/light.h"
 #include "splitsum/brdf/lobe.h"
@@ -23,7 +26,7 @@ namespace splitsum::tools {
 /// The rows of filter_methods() that filter such a lobe, for --method.
 std::vector<Choice> methods_for(LobeKind kind);
 
-/// --output, --probes, --json of a tool whose output is a cubemap.
+/// --output, --verify, --probes, --json of a tool whose output is a cubemap.
 class CubemapOutputOptions {
 public:
     CubemapOutputOptions(CLI::App& app, const std::string& what);
@@ -35,27 +38,31 @@ public:
     /// ending, a shape that this kind of file cannot hold) or unwritable_output.
     Status check(const CubeShape& shape) const;
 
-    /// Measures what will be stored, writes it and prints the figures.
-    Status measure_and_write(const CubemapAsset& asset, const std::vector<LevelAccount>& accounts,
-                             const Light& light, const ContainerOptions& container,
-                             Progress& progress) const;
+    /// Measures what will be stored, certifies it in the file's metadata, writes the file and prints
+    /// the figures. The asset is one that `plan` makes of the light.
+    Status measure_and_write(CubemapAsset asset, const std::vector<LevelAccount>& accounts,
+                             const Light& light, const LevelsPlan& plan,
+                             const ContainerOptions& container, Progress& progress) const;
 
     /// Prints notes, figures and where the file is, as text or as JSON.
     void print(const std::vector<LevelCheck>& checks, const std::vector<LevelAccount>& accounts,
                const std::vector<EncodeCounts>& counts, const Light& light) const;
 
-    /// As asked for, else affordable_probes; none where the texels were not kept.
-    int probes(const Light& light) const;
-    /// Whether texels were asked to be measured: the panorama has to be kept then.
-    bool wants_probes() const { return probes_ > 0; }
+    /// Texels a level to measure, if that was asked.
+    std::optional<int> probes() const { return verify_.probes(); }
 
 private:
     std::filesystem::path path_;
-    int probes_ = -1;  // not asked for
+    VerifyOptions verify_;
     bool json_ = false;
 };
 
-/// The figures of a specular chain or an irradiance cubemap at the probes; none for 0 probes.
+/// The figures of a specular chain or an irradiance cubemap beside the exact texels of its levels;
+/// of none if `exact` is empty.
+std::vector<LevelCheck> check_asset(const std::vector<Cubemap>& levels, const AssetFacts& facts,
+                                    std::span<const ExactTexels> exact);
+
+/// The same at probes of the environment it was made from; none for 0 probes.
 Result<std::vector<LevelCheck>> check_cubemap_asset(const std::vector<Cubemap>& levels,
                                                     const AssetFacts& facts,
                                                     const Environment& environment, int probes,

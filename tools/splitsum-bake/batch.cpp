@@ -101,7 +101,7 @@ public:
         if (worst)
             std::cout << "worst rel_rms beyond the mirror level " << *worst << ", ";
         else
-            std::cout << "not measured (--probes), error bounds in report.txt, ";
+            std::cout << "not measured (--no-verify), error bounds in report.txt, ";
         std::cout << std::fixed << seconds << " s\n";
         for (const std::string& note : report.notes) std::cout << "  note: " << note << "\n";
         std::cout << std::flush;
@@ -156,13 +156,8 @@ BatchOptions::BatchOptions(CLI::App& app)
       orientation(app),
       filter(app, methods_for(LobeKind::ggx)),
       encoding(app, EncodingOptions::Content::cubemap),
+      verify(app),
       json(app) {
-    app.add_option("--probes", probes,
-                   "texels per level whose error against exact integration is measured, 0 for none "
-                   "(default 64, fewer above 1024 x 512, none above 2048 x 1024, where the "
-                   "panorama is streamed)")
-        ->option_text("COUNT")
-        ->check(whole_number(0, 1 << 24));
     app.add_flag("--no-picture", no_picture, "do not write the picture contact.png");
 }
 
@@ -171,7 +166,7 @@ Result<BakePlan> BatchOptions::plan() const {
     if (!chain) return chain.error();
     const BakePlan plan{*chain,           irradiance.plan,   filter.plan,
                         orientation.plan, encoding.format(), encoding.container(),
-                        probes,           !no_picture};
+                        verify.probes(),  !no_picture};
     if (const Status valid = validate(plan); !valid) return valid.error();
     return plan;
 }

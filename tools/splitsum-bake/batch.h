@@ -4,6 +4,7 @@
 
 #include "common/exit_code.h"
 #include "common/options.h"
+#include "light/verify_options.h"
 #include "splitsum/bake/bake.h"
 
 namespace splitsum::tools {
@@ -24,8 +25,8 @@ struct BatchOptions {
     OrientationOptions orientation;
     FilterOptions filter;
     EncodingOptions encoding;
+    VerifyOptions verify;
     JsonOption json;
-    std::optional<int> probes;
     bool no_picture = false;
 };
 

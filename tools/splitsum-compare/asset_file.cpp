@@ -19,7 +19,7 @@ Result<AssetFile> read_series(const std::filesystem::path& path) {
 
 Result<AssetFile> read_asset(const std::filesystem::path& path) {
     if (path.extension() == ".json") return read_series(path);
-    const auto texture = read_texture(path);
+    auto texture = read_texture(path);
     if (!texture) return texture.error();
     AssetFile asset;
     // Files of other programs say nothing of this; then the caller must know.
@@ -33,6 +33,7 @@ Result<AssetFile> read_asset(const std::filesystem::path& path) {
     auto levels = cubemaps_of(*texture);
     if (!levels) return levels.error();
     asset.levels = std::move(*levels);
+    asset.texture = std::move(*texture);
     return asset;
 }
 

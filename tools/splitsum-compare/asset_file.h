@@ -9,6 +9,7 @@
 #include "splitsum/image/table.h"
 #include "splitsum/report/asset_facts.h"
 #include "splitsum/sphere/cubemap.h"
+#include "splitsum/texture/texture_asset.h"
 
 namespace splitsum::tools {
 
@@ -17,7 +18,8 @@ struct AssetFile {
     std::vector<Cubemap> levels;
     std::optional<Table> table;
     std::optional<IrradianceHarmonics> harmonics;
-    std::optional<AssetFacts> facts;  ///< where the file says them
+    std::optional<AssetFacts> facts;      ///< where the file says them
+    std::optional<TextureAsset> texture;  ///< what `levels` are decoded from
 };
 
 /// Reads a texture (.ktx2, .exr) or harmonics (.json).

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "asset_file.h"
+#include "certificate_check.h"
 #include "light/cubemap_tool.h"
 #include "limits.h"
 #include "splitsum/bake/facts.h"
@@ -22,6 +23,7 @@ constexpr const char* what_the_asset_says = "what the asset says";
 struct Comparison {
     std::vector<LevelCheck> levels;
     std::vector<std::string> notes;
+    std::optional<CertificateCheck> certificate;
 };
 
 Error mismatch(const std::string& what) { return {ErrorKind::unusable_input, what}; }
@@ -52,6 +54,12 @@ Result<AssetFacts> facts_with_options(const AssetFile& file, const CompareOption
     return facts;
 }
 
+// Whether the asset would be measured as something else than it was made to be.
+bool overruled(const CompareOptions& options) {
+    return options.orientation.given() || options.reading.exposure_given() ||
+           !options.kind.empty() || !options.roughness.empty();
+}
+
 Result<Comparison> against_panorama(const AssetFile& file, const CompareOptions& options,
                                     Progress& progress) {
     const auto facts = facts_with_options(file, options);
@@ -64,12 +72,12 @@ Result<Comparison> against_panorama(const AssetFile& file, const CompareOptions&
 
     Comparison comparison;
     comparison.notes = panorama->notes;
-    if (file.facts && facts->source.hash != panorama->source_hash)
+    const bool is_source = file.facts && facts->source.hash == panorama->source_hash;
+    if (file.facts && !is_source)
         comparison.notes.push_back(cat("the asset says it was made from ", facts->source.name, ", ",
                                        facts->source.hash, "; this panorama is ",
                                        panorama->source_hash));
     if (file.harmonics) {
-        progress.begin("measuring", options.probes);
         const auto check = check_harmonics(
             *file.harmonics, {environment, panorama_from_cube(facts->orientation), options.probes},
             progress);
@@ -80,7 +88,39 @@ Result<Comparison> against_panorama(const AssetFile& file, const CompareOptions&
     auto levels = check_cubemap_asset(file.levels, *facts, environment, options.probes, progress);
     if (!levels) return levels.error();
     comparison.levels = std::move(*levels);
+    const bool as_made = is_source && !overruled(options);
+    auto certificate = check_certificate(file, *facts, as_made ? &environment : nullptr, progress);
+    if (!certificate) return certificate.error();
+    comparison.certificate = std::move(*certificate);
+    if (!comparison.certificate)
+        comparison.notes.push_back("the asset carries no certificate");
+    else if (!as_made)
+        comparison.notes.push_back(
+            "certified figures are of another panorama or other options, and were not measured "
+            "again");
     return comparison;
+}
+
+// The file alone: is it what it says of itself?
+Result<Comparison> against_itself(const AssetFile& file, const CompareOptions& options,
+                                  Progress& progress) {
+    if (file.table || file.harmonics)
+        return mismatch(cat(options.asset, file.table ? " is a table" : " is a series of harmonics",
+                            ", which carries no certificate; say what to compare it with: ",
+                            file.table ? "another table" : "another series or --panorama FILE"));
+    const auto facts = facts_with_options(file, options);
+    if (!facts) return facts.error();
+    auto certificate = check_certificate(file, *facts, nullptr, progress);
+    if (!certificate) return certificate.error();
+    if (!*certificate)
+        return mismatch(
+            cat(options.asset,
+                " carries no certificate: an older version or another program wrote it; "
+                "--panorama FILE measures it"));
+    return Comparison{
+        (*certificate)->levels,
+        {"the figures are those of the certificate; --panorama FILE measures them again"},
+        std::move(*certificate)};
 }
 
 Result<Comparison> tables_compared(const Table& table, const Table& other) {
@@ -94,7 +134,7 @@ Result<Comparison> tables_compared(const Table& table, const Table& other) {
     LevelCheck check;
     check.face_size = table.width;
     check.figures = error_figures(table.values, other.values, table.channels);
-    return Comparison{{check}, {}};
+    return Comparison{{check}, {}, {}};
 }
 
 Result<Comparison> cubemaps_compared(const AssetFile& file, const AssetFile& other) {
@@ -131,9 +171,32 @@ Result<Comparison> against_asset(const AssetFile& file, const CompareOptions& op
             return mismatch(cat("the series have ", a.size(), " and ", b.size(), " coefficients"));
         LevelCheck check;
         check.figures = error_figures(std::span<const Vec3>(a), std::span<const Vec3>(b));
-        return Comparison{{check}, {}};
+        return Comparison{{check}, {}, {}};
     }
     return mismatch(cat(options.asset, " and ", options.other, " are of different kinds"));
+}
+
+Result<Comparison> compared(const AssetFile& file, const CompareOptions& options,
+                            Progress& progress) {
+    if (!options.panorama.empty()) return against_panorama(file, options, progress);
+    if (!options.other.empty()) return against_asset(file, options);
+    return against_itself(file, options, progress);
+}
+
+Json certificate_json(const std::optional<CertificateCheck>& certificate) {
+    if (!certificate) return nullptr;
+    return {{"holds", certificate->contradictions.empty()},
+            {"measured", certificate->measured},
+            {"contradictions", certificate->contradictions}};
+}
+
+std::string certificate_text(const CertificateCheck& certificate) {
+    std::string text;
+    for (const std::string& line : certificate.contradictions)
+        text += cat("certificate: ", line, "\n");
+    if (!text.empty()) return text;
+    return cat("certificate: holds for the texels, their means and the keys",
+               certificate.measured ? ", and for the figures, measured again\n" : "\n");
 }
 
 void print(const Comparison& comparison, const std::vector<std::string>& over, bool json) {
@@ -144,6 +207,7 @@ void print(const Comparison& comparison, const std::vector<std::string>& over, b
         for (const LevelCheck& check : comparison.levels)
             result["levels"].push_back(check_json(check));
         result["over_limit"] = over;
+        result["certificate"] = certificate_json(comparison.certificate);
         std::cout << result.dump(2) << "\n";
         return;
     }
@@ -152,6 +216,7 @@ void print(const Comparison& comparison, const std::vector<std::string>& over, b
     for (const LevelCheck& check : comparison.levels)
         std::cout << figures_line(cat("level ", check.level), check);
     for (const std::string& line : over) std::cout << line << "\n";
+    if (comparison.certificate) std::cout << certificate_text(*comparison.certificate);
 }
 
 }  // namespace
@@ -162,7 +227,9 @@ CompareOptions::CompareOptions(CLI::App& app)
         ->option_text(" ")
         ->required()
         ->check(not_empty());
-    app.add_option("OTHER", other, "an asset to compare with, instead of --panorama")
+    app.add_option("OTHER", other,
+                   "an asset to compare with, instead of --panorama; with neither, ASSET is "
+                   "checked against its certificate")
         ->option_text(" ")
         ->check(not_empty());
     app.add_option("--panorama", panorama, "the panorama the asset was made from")
@@ -190,7 +257,7 @@ CompareOptions::CompareOptions(CLI::App& app)
 }
 
 Result<ExitCode> run_compare(const CompareOptions& options, Progress& progress) {
-    if (options.other.empty() == options.panorama.empty())
+    if (!options.other.empty() && !options.panorama.empty())
         return Error{ErrorKind::bad_argument,
                      "say what to compare with: either another asset or --panorama FILE"};
     std::vector<Limit> limits;
@@ -201,8 +268,7 @@ Result<ExitCode> run_compare(const CompareOptions& options, Progress& progress) 
     }
     const auto file = read_asset(options.asset);
     if (!file) return file.error();
-    const auto comparison = options.other.empty() ? against_panorama(*file, options, progress)
-                                                  : against_asset(*file, options);
+    const auto comparison = compared(*file, options, progress);
     if (!comparison) return comparison.error();
 
     std::vector<std::string> over;
@@ -210,7 +276,8 @@ Result<ExitCode> run_compare(const CompareOptions& options, Progress& progress) 
         for (const std::string& line : exceeded(check.figures, limits))
             over.push_back(cat("level ", check.level, ": ", line));
     print(*comparison, over, options.json.json);
-    return over.empty() ? ExitCode::done : ExitCode::over_limit;
+    const bool holds = !comparison->certificate || comparison->certificate->contradictions.empty();
+    return over.empty() && holds ? ExitCode::done : ExitCode::over_limit;
 }
 
 }  // namespace splitsum::tools

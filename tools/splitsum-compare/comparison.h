@@ -27,7 +27,8 @@ struct CompareOptions {
     JsonOption json;
 };
 
-/// Prints the figures of every level; over_limit when one exceeds a limit.
+/// Prints the figures of every level and whether the asset's certificate holds; over_limit when a
+/// figure exceeds a limit or the certificate does not hold.
 Result<ExitCode> run_compare(const CompareOptions& options, Progress& progress);
 
 }  // namespace splitsum::tools

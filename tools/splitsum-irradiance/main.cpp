@@ -25,7 +25,7 @@ Status write_cubemap(const Light& light, const LevelsPlan& plan,
         {&*levels->irradiance, 1}, encoding.format(),
         irradiance_facts(light.source, *plan.irradiance, plan.filter, plan.orientation));
     if (!asset) return asset.error();
-    return output.measure_and_write(*asset, levels->accounts, light, encoding.container(),
+    return output.measure_and_write(*asset, levels->accounts, light, plan, encoding.container(),
                                     progress);
 }
 
@@ -34,14 +34,14 @@ Status write_series(const Light& light, const LevelsPlan& plan,
     const Mat3d turn = panorama_from_cube(plan.orientation);
     const IrradianceHarmonics harmonics = irradiance_harmonics(
         light.filter_source(), plan.irradiance->harmonics_order, plan.irradiance->windowed, turn);
-    const int probes = output.probes(light);
-    progress.begin("measuring", probes);
-    const auto check = check_harmonics(harmonics, {light.environment, turn, probes}, progress);
-    if (!check) return check.error();
+    const auto exact = exact_texels(light, plan, output.probes(), progress);
+    if (!exact) return exact.error();
     const Status written = write_harmonics(
         harmonics, irradiance_facts(light.source, *plan.irradiance, plan.filter, plan.orientation),
         output.path());
-    if (written) output.print({*check}, {}, {}, light);
+    if (written)
+        output.print({check_diffuse(cubemap_of_harmonics(harmonics), exact->back())}, {}, {},
+                     light);
     return written;
 }
 
@@ -69,8 +69,8 @@ int main(int argc, char** argv) {
                    : output.check({encoding.format(), irradiance.plan.face_size, 1});
         if (!possible) return possible;
         const LevelsPlan plan{std::nullopt, irradiance.plan, filter.plan, orientation.plan};
-        const auto light =
-            load_light(input.panorama(), input.plan(), {plan, output.wants_probes()}, progress);
+        const auto light = load_light(input.panorama(), input.plan(),
+                                      {.levels = plan, .probes = output.probes()}, progress);
         if (!light) return light.error();
         if (series) return write_series(*light, plan, output, progress);
         return write_cubemap(*light, plan, encoding, output, progress);

@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
         if (!possible) return possible;
         const LevelsPlan levels_plan{*plan, std::nullopt, filter.plan, orientation.plan};
         const auto light = load_light(input.panorama(), input.plan(),
-                                      {levels_plan, output.wants_probes()}, progress);
+                                      {.levels = levels_plan, .probes = output.probes()}, progress);
         if (!light) return light.error();
 
         const auto levels = filter_levels(light->filter_source(), levels_plan, progress);
@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
             cubemap_asset(levels->specular, encoding.format(),
                           specular_facts(light->source, *plan, filter.plan, orientation.plan));
         if (!asset) return asset.error();
-        return output.measure_and_write(*asset, levels->accounts, *light, encoding.container(),
-                                        progress);
+        return output.measure_and_write(*asset, levels->accounts, *light, levels_plan,
+                                        encoding.container(), progress);
     });
 }

@@ -1,6 +1,6 @@
 #include "splitsum/bake/bake.h"
 
-#include <numbers>
+#include <span>
 
 #include "splitsum/assets/cubemap_asset.h"
 #include "splitsum/bake/facts.h"
@@ -9,6 +9,7 @@
 #include "splitsum/base/text.h"
 #include "splitsum/filter/irradiance_harmonics.h"
 #include "splitsum/picture/contact_sheet.h"
+#include "splitsum/report/certificate.h"
 #include "splitsum/report/harmonics_file.h"
 
 namespace splitsum {
@@ -44,27 +45,31 @@ Result<BakedAssets> make_assets(const Light& light, const BakePlan& plan, const 
 // Fills in the figures of the report.
 Status measure(const BakedAssets& assets, const Light& light, const BakePlan& plan,
                BakeReport& report, Progress& progress) {
-    const int probes = plan.probes.value_or(affordable_probes(light));
-    const CheckedAgainst truth{light.environment, panorama_from_cube(plan.orientation), probes};
-    progress.begin("measuring", probes * (plan.specular.levels + 2));
-    auto specular = check_specular(assets.specular.levels,
-                                   report.specular_facts.perceptual_roughness, truth, progress);
-    if (!specular) return specular.error();
-    const double factor = plan.irradiance.store_irradiance ? std::numbers::pi : 1;
-    const auto irradiance = check_irradiance(assets.irradiance.levels[0], factor, truth, progress);
-    if (!irradiance) return irradiance.error();
-    const auto harmonics = check_harmonics(assets.harmonics, truth, progress);
-    if (!harmonics) return harmonics.error();
-
+    const auto exact = exact_texels(light, levels_plan(plan), plan.probes, progress);
+    if (!exact) return exact.error();
+    const size_t levels = assets.specular.levels.size();
     report.accounts = assets.accounts;
-    report.probes = probes;
-    report.specular = std::move(*specular);
+    report.probes = int(exact->front().texels.size());
+    report.specular =
+        check_chain(assets.specular.levels, report.specular_facts.perceptual_roughness, *exact);
     report.specular_counts = assets.specular.counts;
-    report.irradiance = *irradiance;
+    report.irradiance = check_diffuse(assets.irradiance.levels[0], exact->at(levels),
+                                      stored_factor(report.irradiance_facts));
     report.irradiance_counts = assets.irradiance.counts[0];
-    report.harmonics = *harmonics;
+    report.harmonics = check_diffuse(cubemap_of_harmonics(assets.harmonics), exact->at(levels + 1));
     report.harmonics_lowest = assets.harmonics.lowest;
     return ok;
+}
+
+// What was reported of them, into the textures.
+void certify(BakedAssets& assets, const BakeReport& report) {
+    const std::span accounts(report.accounts);
+    certify(assets.specular.texture,
+            certificate_from(accounts, report.specular_counts, report.specular,
+                             report.source_mean_radiance));
+    certify(assets.irradiance.texture,
+            certificate_from(accounts.last(1), {&report.irradiance_counts, 1},
+                             {&report.irradiance, 1}, report.source_mean_radiance));
 }
 
 ContactSheet contact_sheet(const BakedAssets& assets, const BakeReport& report) {
@@ -127,7 +132,7 @@ Status validate(const BakePlan& plan) {
 }
 
 LightUse light_use(const BakePlan& plan, std::shared_ptr<FilterTables> tables) {
-    return {levels_plan(plan), plan.probes.value_or(0) > 0, std::move(tables)};
+    return {.levels = levels_plan(plan), .probes = plan.probes, .tables = std::move(tables)};
 }
 
 Result<BakeReport> bake(const Light& light, const BakePlan& plan,
@@ -145,10 +150,11 @@ Result<BakeReport> bake(const Light& light, const BakePlan& plan,
     report.irradiance_facts =
         irradiance_facts(report.source, plan.irradiance, plan.filter, plan.orientation);
 
-    const auto assets = make_assets(light, plan, report, progress);
+    auto assets = make_assets(light, plan, report, progress);
     if (!assets) return assets.error();
     const Status measured = measure(*assets, light, plan, report, progress);
     if (!measured) return measured.error();
+    certify(*assets, report);
     const Status written = write_files(*assets, plan, folder, report);
     if (!written) return written.error();
     return report;

@@ -21,8 +21,8 @@ struct BakePlan {
     Orientation orientation;
     PixelFormat format = PixelFormat::rgba16f;
     ContainerOptions container;
-    /// Texels a level that are measured against exact integration; if not given, affordable_probes,
-    /// or none of a light whose texels were not kept.
+    /// Texels a level that are measured against exact integration, 0 for none; if not given,
+    /// default_probes of verify/check_levels.h.
     std::optional<int> probes;
     bool picture = true;  ///< write contact.png
 };
@@ -34,8 +34,8 @@ Status validate(const BakePlan& plan);
 LightUse light_use(const BakePlan& plan, std::shared_ptr<FilterTables> tables);
 
 /// The main job: filters the light, stores specular.ktx2, irradiance.ktx2, harmonics.json and
-/// contact.png in `folder` (made if it is missing), measures what was stored and writes report.json
-/// and report.txt last. Each file appears whole or not at all; nothing is written before all of the
+/// contact.png in `folder` (made if it is missing), measures what was stored, writes a
+/// certificate of it into the textures, and report.json and report.txt last. Each file appears whole or not at all; nothing is written before all of the
 /// light is computed and measured.
 ///
 /// Fails with bad_argument, unwritable_output or interrupted.

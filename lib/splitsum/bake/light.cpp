@@ -25,9 +25,13 @@ struct Builders {
     SpectrumBuilder spectrum;
     std::vector<AreaFilterBuilder> mirrors;
     EnvironmentBuilder environment;
+    ExactProbes exact;
 
-    Builders(int height, int bands, const LightUse& use)
-        : spectrum(height, bands), environment(height, most_rows_kept / 4) {
+    Builders(int height, int bands, const LightUse& use, int probes)
+        : spectrum(height, bands),
+          environment(height, most_rows_kept / 4),
+          exact(height, panorama_from_cube(use.levels.orientation), probed_cubemaps(use.levels),
+                probes) {
         for (const int face_size : mirror_sizes(use.levels))
             mirrors.emplace_back(use.tables->area_geometry(
                 height, face_size, panorama_from_cube(use.levels.orientation)));
@@ -37,23 +41,25 @@ struct Builders {
         spectrum.add_rows(row_count, rgb, 3);
         for (AreaFilterBuilder& mirror : mirrors) mirror.add_rows(row_count, rgb, 3);
         environment.add_rows(row_count, rgb, 3);
+        exact.add_rows(row_count, rgb, 3);
     }
 };
 
 Result<Light> stream(const std::filesystem::path& path, const PanoramaOptions& options,
-                     const LightUse& use, int height, int bands, Progress& progress) {
-    std::optional<Builders> builders(std::in_place, height, bands, use);
+                     const LightUse& use, int height, int bands, int probes, Progress& progress) {
+    std::optional<Builders> builders(std::in_place, height, bands, use, probes);
     const auto panorama = stream_panorama(
         path, options,
         [&](int, int row_count, std::span<const float> rgb) {
             builders->add(row_count, rgb.data());
         },
-        [&] { builders.emplace(height, bands, use); }, progress);
+        [&] { builders.emplace(height, bands, use, probes); }, progress);
     if (!panorama) return panorama.error();
     Light light{std::move(builders->environment).finish(), use.tables};
     light.spectrum = builders->spectrum.finish();
     for (AreaFilterBuilder& mirror : builders->mirrors)
         light.mirrors.push_back(std::move(mirror).finish());
+    light.exact = std::move(builders->exact).finish();
     light.source = source_facts(*panorama);
     light.width = 2 * height;
     light.height = height;
@@ -85,16 +91,35 @@ Result<Light> load_light(const std::filesystem::path& path, const PanoramaOption
     const auto guess = bands_of(use);
     if (use.keep_texels || size->height <= most_rows_kept || !guess)
         return load_all(path, options, use, progress);
-    auto light = stream(path, options, use, size->height, *guess, progress);
+    const int probes = use.probes.value_or(default_probes(size->height));
+    auto light = stream(path, options, use, size->height, *guess, probes, progress);
     if (!light) return light.error();
     const int bands = bands_needed(*use.tables, *light->spectrum, lobes_of(use.levels),
                                    use.levels.filter.accuracy);
     if (bands <= *guess) return light;
-    return stream(path, options, use, size->height, bands, progress);
+    auto again = stream(path, options, use, size->height, bands, 0, progress);
+    if (again) again->exact = std::move(light->exact);
+    return again;
 }
 
-int affordable_probes(const Light& light) {
-    return light.spectrum ? 0 : affordable_probes(light.environment);
+std::vector<ProbedCubemap> probed_cubemaps(const LevelsPlan& plan) {
+    std::vector<ProbedCubemap> cubemaps;
+    if (plan.specular)
+        cubemaps =
+            probed_chain(plan.specular->face_size,
+                         roughness_of_levels(plan.specular->roughness, plan.specular->levels));
+    if (plan.irradiance)
+        for (const int face_size : {plan.irradiance->face_size, harmonics_face_size})
+            cubemaps.push_back({{LobeKind::cosine}, face_size});
+    return cubemaps;
+}
+
+Result<std::vector<ExactTexels>> exact_texels(const Light& light, const LevelsPlan& plan,
+                                              std::optional<int> probes, Progress& progress) {
+    if (!light.exact.empty()) return light.exact;
+    return exact_texels(light.environment, panorama_from_cube(plan.orientation),
+                        probed_cubemaps(plan), probes.value_or(default_probes(light.height)),
+                        progress);
 }
 
 Light light_of(const Panorama& panorama, std::shared_ptr<FilterTables> tables) {

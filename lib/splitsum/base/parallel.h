@@ -73,6 +73,9 @@ public:
     /// The number of threads that parallel loops would use without a limit.
     static int available();
 
+    /// The number of threads that parallel loops use now, with every limit that is in force.
+    static int in_force();
+
 private:
     tbb::global_control control_;
 };

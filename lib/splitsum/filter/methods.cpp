@@ -4,6 +4,7 @@
 
 #include "splitsum/base/text.h"
 #include "splitsum/filter/auto_method.h"
+#include "splitsum/filter/mis.h"
 #include "splitsum/filter/reference.h"
 #include "splitsum/filter/sampled.h"
 #include "splitsum/filter/spectral.h"
@@ -25,10 +26,12 @@ std::span<const FilterMethod> filter_methods() {
          true, prepare_reference},
         {"riemann", "uniform grid over the hemisphere, the textbook diffuse loop", false, true,
          prepare_riemann},
-        {"importance", "Hammersley points through the lobe's distribution; ghosts of small suns",
-         true, true, prepare_importance},
+        {"importance", "points through the lobe's distribution; ghosts of small suns", true, true,
+         prepare_importance},
         {"filtered", "the same points, each read from a prefiltered pyramid; lobes grow a little",
          true, true, prepare_filtered},
+        {"mis", "points through lobe and light, weighted by --heuristic; unbiased, noisy", true,
+         true, prepare_mis},
         {"spectral", "product with the lobe's band factors in spherical-harmonic space; exact",
          true, true, prepare_spectral},
     };

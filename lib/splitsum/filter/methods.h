@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "splitsum/base/result.h"
 #include "splitsum/brdf/lobe.h"
@@ -44,6 +45,14 @@ public:
 
     /// How lobe `lobe_index` is filtered (without clamped_negative, which is not known yet).
     virtual LevelAccount account(size_t lobe_index) const = 0;
+
+    /// The standard error of every channel that evaluate() gives there, which the method estimates
+    /// from the spread of its own samples; empty of methods that cannot. Costs as much as
+    /// evaluate().
+    virtual std::vector<Vec3> standard_errors(size_t /*lobe_index*/,
+                                              const Directions& /*directions*/) const {
+        return {};
+    }
 };
 
 /// One way to filter light. All methods answer the same question (filter/README.md), so any of

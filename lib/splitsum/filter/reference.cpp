@@ -7,12 +7,10 @@
 namespace splitsum {
 namespace {
 
-constexpr double near_texels = 25;
-
 class ReferenceFilter final : public PreparedFilter {
 public:
     ReferenceFilter(const Environment& environment, std::span<const Lobe> lobes)
-        : quadrature_(environment, near_texels), lobes_(lobes.begin(), lobes.end()) {
+        : quadrature_(environment, reference_near_texels), lobes_(lobes.begin(), lobes.end()) {
         for (const Lobe& lobe : lobes) integrals_.push_back(lobe_integral(lobe));
     }
 

@@ -7,6 +7,9 @@
 
 namespace splitsum {
 
+/// Within so many texels of a narrow lobe's peak, texels are halved until they are small enough.
+inline constexpr double reference_near_texels = 25;
+
 /// The judge: the integral of lobe times environment over every texel in fp64, divided by the
 /// lobe's integral in closed form (not by its own weights, so that a constant environment tests
 /// it).

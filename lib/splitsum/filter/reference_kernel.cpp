@@ -16,39 +16,86 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// lobe_value() over lanes, as a function of the cosine.
+// At a texel's four points.
+template <class V>
+using Cosines = V[2][2];
+
+template <class V>
+struct Fraction {
+    V top;
+    V bottom;
+};
+
+template <class V>
+HWY_INLINE Fraction<V> sum_of(const Fraction<V>& a, const Fraction<V>& b) {
+    return {hn::MulAdd(a.top, b.bottom, hn::Mul(b.top, a.bottom)), hn::Mul(a.bottom, b.bottom)};
+}
+
+// lobe_value() of GGX over lanes, without its factor alpha² / pi.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V lobe_lanes(D d, const Lobe& lobe, V cosine) {
-    const V clamped = hn::Max(cosine, hn::Zero(d));
-    if (lobe.kind == LobeKind::cosine) return clamped;
-    const double alpha2 = lobe.alpha * lobe.alpha;
+HWY_INLINE Fraction<V> ggx_lanes(D d, double alpha2, V cosine) {
     const V sin2 = hn::NegMulAdd(hn::Set(d, 0.5), cosine, hn::Set(d, 0.5));
     const V denominator = hn::MulAdd(sin2, hn::Set(d, 1 - alpha2), hn::Set(d, alpha2));
-    const V numerator = hn::Mul(clamped, hn::Set(d, alpha2 * std::numbers::inv_pi));
-    return hn::Div(numerator, hn::Mul(denominator, denominator));
+    return {hn::Max(cosine, hn::Zero(d)), hn::Mul(denominator, denominator)};
+}
+
+// The sum over a texel's points of weight * lobe value. Divisions take most of the time of GGX: the
+// four fractions are added before the only one. Denominators of points that may be summed so are
+// above 1e-8 (half the squared distance from the peak), their product above 1e-64.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V texel_weight(D d, const Lobe& lobe, const TexelNodes& nodes,
+                          const Cosines<V>& cosine) {
+    const V weight0 = hn::Set(d, nodes.weights[0]), weight1 = hn::Set(d, nodes.weights[1]);
+    if (lobe.kind == LobeKind::cosine) {
+        const auto both = [&](const V(&of)[2]) HWY_ATTR {
+            return hn::Add(hn::Max(of[0], hn::Zero(d)), hn::Max(of[1], hn::Zero(d)));
+        };
+        return hn::MulAdd(weight0, both(cosine[0]), hn::Mul(weight1, both(cosine[1])));
+    }
+    const double alpha2 = lobe.alpha * lobe.alpha;
+    const auto both = [&](const V(&of)[2]) HWY_ATTR {
+        return sum_of(ggx_lanes(d, alpha2, of[0]), ggx_lanes(d, alpha2, of[1]));
+    };
+    Fraction<V> row0 = both(cosine[0]), row1 = both(cosine[1]);
+    row0.top = hn::Mul(row0.top, weight0);
+    row1.top = hn::Mul(row1.top, weight1);
+    const Fraction<V> all = sum_of(row0, row1);
+    return hn::Mul(hn::Set(d, alpha2 * std::numbers::inv_pi), hn::Div(all.top, all.bottom));
+}
+
+// The radiance of the next texels, one a lane.
+template <class DF, class VF = hn::Vec<DF>>
+HWY_INLINE void load_texels(DF df, const TexelRun& run, size_t i, VF& r, VF& g, VF& b) {
+    VF unused;
+    if (run.floats_per_texel == 3)
+        hn::LoadInterleaved3(df, run.texels + 3 * i, r, g, b);
+    else
+        hn::LoadInterleaved4(df, run.texels + 4 * i, r, g, b, unused);
 }
 
 // Adds texels [begin, end) to the sums of the three channels, Lanes(d) at a time; returns where it
 // stopped because fewer were left.
 template <class D>
-HWY_INLINE size_t add_run(D d, const Lobe& lobe, const TexelRun& run,
-                          const std::array<RowNode, 2>& nodes, size_t begin, Vec3d& sum) {
+HWY_INLINE size_t add_run(D d, const Lobe& lobe, const TexelRun& run, const TexelNodes& nodes,
+                          size_t begin, Vec3d& sum) {
+    using V = hn::Vec<D>;
     const hn::Rebind<float, D> df;
-    auto red = hn::Zero(d), green = hn::Zero(d), blue = hn::Zero(d);
+    V red = hn::Zero(d), green = hn::Zero(d), blue = hn::Zero(d);
     size_t i = begin;
     for (; i + hn::Lanes(d) <= run.count; i += hn::Lanes(d)) {
-        auto weight = hn::Zero(d);
-        for (const RowNode& node : nodes)
+        const V sine = hn::LoadU(d, run.sin_azimuth + i);
+        const V cosine_azimuth = hn::LoadU(d, run.cos_azimuth + i);
+        Cosines<V> cosine;
+        for (size_t n = 0; n < 2; ++n)
             for (size_t k = 0; k < 2; ++k) {
-                const auto sine = hn::LoadU(d, run.sin_azimuth[k] + i);
-                const auto cosine = hn::LoadU(d, run.cos_azimuth[k] + i);
-                const auto towards = hn::MulAdd(
-                    hn::Set(d, node.along_cos), cosine,
+                const TexelNode& node = nodes.nodes[n][k];
+                cosine[n][k] = hn::MulAdd(
+                    hn::Set(d, node.along_cos), cosine_azimuth,
                     hn::MulAdd(hn::Set(d, node.along_sin), sine, hn::Set(d, node.constant)));
-                weight = hn::MulAdd(hn::Set(d, node.weight), lobe_lanes(d, lobe, towards), weight);
             }
-        hn::Vec<decltype(df)> r, g, b, unused;
-        hn::LoadInterleaved4(df, run.texels + 4 * i, r, g, b, unused);
+        const V weight = texel_weight(d, lobe, nodes, cosine);
+        hn::Vec<decltype(df)> r, g, b;
+        load_texels(df, run, i, r, g, b);
         red = hn::MulAdd(weight, hn::PromoteTo(d, r), red);
         green = hn::MulAdd(weight, hn::PromoteTo(d, g), green);
         blue = hn::MulAdd(weight, hn::PromoteTo(d, b), blue);
@@ -58,7 +105,7 @@ HWY_INLINE size_t add_run(D d, const Lobe& lobe, const TexelRun& run,
     return i;
 }
 
-Vec3d RunSum(const Lobe& lobe, const TexelRun& run, const std::array<RowNode, 2>& nodes) {
+Vec3d RunSum(const Lobe& lobe, const TexelRun& run, const TexelNodes& nodes) {
     Vec3d sum(0);
     const size_t rest = add_run(hn::ScalableTag<double>(), lobe, run, nodes, 0, sum);
     add_run(hn::CappedTag<double, 1>(), lobe, run, nodes, rest, sum);
@@ -75,7 +122,7 @@ namespace splitsum {
 
 HWY_EXPORT(RunSum);
 
-Vec3d sum_of_run(const Lobe& lobe, const TexelRun& run, const std::array<RowNode, 2>& nodes) {
+Vec3d sum_of_run(const Lobe& lobe, const TexelRun& run, const TexelNodes& nodes) {
     return HWY_DYNAMIC_DISPATCH(RunSum)(lobe, run, nodes);
 }
 

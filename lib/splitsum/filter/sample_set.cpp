@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "splitsum/math/low_discrepancy.h"
-
 namespace splitsum {
 namespace {
 
@@ -49,12 +47,12 @@ private:
 
 }  // namespace
 
-SampleSet importance_samples(const Lobe& lobe, int count) {
+SampleSet importance_samples(const Lobe& lobe, int count, const PointList& points) {
     Collector samples;
     const double alpha2 = lobe.alpha * lobe.alpha;
     const double visible = 1 / (1 + alpha2);  // xi at theta_h = 45 degrees
     for (int i = 0; i < count; ++i) {
-        const Vec2d point = hammersley(uint32_t(i), uint32_t(count));
+        const Vec2d point = points[uint32_t(i)];
         const double azimuth = 2 * pi * point.y;
         if (lobe.kind == LobeKind::cosine) {
             const double cosine = std::sqrt(1 - point.x);
@@ -71,6 +69,10 @@ SampleSet importance_samples(const Lobe& lobe, int count) {
         samples.add(sine, cosine, azimuth, cosine, 4 * visible / (count * density));
     }
     return samples.finish();
+}
+
+SampleSet importance_samples(const Lobe& lobe, int count) {
+    return importance_samples(lobe, count, PointList::hammersley(uint32_t(count)));
 }
 
 SampleSet riemann_samples(const Lobe& lobe, int count) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "splitsum/brdf/lobe.h"
+#include "splitsum/filter/sequence.h"
 
 namespace splitsum {
 
@@ -18,7 +19,7 @@ struct SampleSet {
     size_t count = 0;                ///< without the padding
 };
 
-/// `count` Hammersley points through the lobe's own distribution.
+/// The first `count` points of the list through the lobe's own distribution.
 ///
 /// GGX: tan² theta_h = alpha² xi / (1 - xi) (Walter et al. 2007, eq. 35), doubled to the reflected
 /// direction, l = 2 (n·h) h - n; pdf = D / 4 because v·h = n·h; the weight left over is n·l. The
@@ -26,6 +27,9 @@ struct SampleSet {
 /// range of xi, so that all points count. sin² theta_h comes from xi itself: 1 - cos² would lose
 /// 88 % at perceptual roughness 0.02 in single precision.
 /// Cosine: sin² theta = xi with equal weights.
+SampleSet importance_samples(const Lobe& lobe, int count, const PointList& points);
+
+/// Hammersley's points through the lobe's own distribution.
 SampleSet importance_samples(const Lobe& lobe, int count);
 
 /// About `count` points of a uniform grid in (theta, phi), four times as many around as down, with

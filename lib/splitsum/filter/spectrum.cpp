@@ -46,6 +46,15 @@ LegendreRows gauss_rows(int height, int bands) {
     return rows;
 }
 
+// Of each row, the sine of its Gauss point nearest the equator: a row of a panorama that has few may
+// begin at the pole and yet hold the equator.
+std::vector<double> largest_sines(const LegendreRows& rows) {
+    std::vector<double> largest(rows.rows);
+    for (size_t i = 0; i < rows.sine.size(); ++i)
+        largest[i % rows.rows] = std::max(largest[i % rows.rows], rows.sine[i]);
+    return largest;
+}
+
 // Rings at which the polar angle is integrated already.
 LegendreRows ring_points(int rings) {
     const size_t pairs = size_t(rings + 1) / 2;
@@ -139,10 +148,11 @@ void SpectrumBuilder::add_rows(int row_count, const float* texels, int floats_pe
 
 Spectrum SpectrumBuilder::finish() const {
     const LegendreRows rows = rings_ ? ring_points(lines_) : gauss_rows(height_, bands_);
+    const std::vector<double> sines = largest_sines(rows);
     Spectrum spectrum(bands_);
     parallel_rows(bands_, [&](int m) {
         const FoldedRows folded(fourier_.order(m), lines_, rows.rows);
-        const size_t first = first_relevant_angle(m, bands_, {rows.sine.data(), rows.rows});
+        const size_t first = first_relevant_angle(m, bands_, sines);
         integrate_order(LegendreOrder(m, bands_), bands_, rows, first, folded.even.data(),
                         folded.odd.data(), spectrum.order(m).data());
     });

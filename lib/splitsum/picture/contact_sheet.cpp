@@ -9,8 +9,8 @@
 
 #include "splitsum/base/parallel.h"
 #include "splitsum/color/display.h"
-#include "splitsum/picture/cubemap_lookup.h"
 #include "splitsum/png/write_png.h"
+#include "splitsum/sphere/cubemap_lookup.h"
 
 namespace splitsum {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "splitsum/base/result.h"
 #include "splitsum/plan/roughness_curve.h"
+#include "splitsum/plan/sampling_plan.h"
 #include "splitsum/plan/table_plan.h"
 #include "splitsum/sphere/orientation.h"
 
@@ -17,7 +18,9 @@ struct FilterPlan {
     int samples = 1024;           ///< directions per texel; of the sampling methods
     double accuracy = 3e-4;  ///< rel_rms by which `auto` and `spectral` may miss, in [1e-5, 0.1]
     bool rotate_samples = false;  ///< turn the sample set by an angle hashed from the texel
-    uint32_t seed = 0;            ///< of that hash; change it to see the noise
+    uint32_t seed = 0;  ///< of everything drawn from a texel's key; change it to see the noise
+    PointSequence sequence = PointSequence::hammersley;  ///< of the methods that draw points
+    MisHeuristic heuristic = MisHeuristic::power;        ///< of `mis`
 };
 
 /// The prefiltered chain: reading level l towards R gives the radiance that a mirror of that

@@ -2,26 +2,19 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <iomanip>
+#include <numbers>
+#include <sstream>
 #include <string_view>
 
 #include "splitsum/base/text.h"
 #include "splitsum/base/version.h"
+#include "splitsum/report/metadata_detail.h"
 
 namespace splitsum {
 namespace {
 
-using Metadata = std::map<std::string, std::string>;
-
 constexpr std::array<std::string_view, 3> kind_names = {"specular", "irradiance", "table"};
-
-template <class Number>
-std::string number_text(Number value) {  // the shortest text that reads back to the same number
-    std::array<char, 32> digits;
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    return {digits.data(), end};
-}
 
 std::string flag_text(bool flag) { return flag ? "true" : "false"; }
 
@@ -92,63 +85,7 @@ void describe_table(const TableFacts& facts, Metadata& metadata) {
     metadata["splitsum.max_abs_in_rim"] = figure_text(facts.max_abs_in_rim);
 }
 
-// Reads values from the metadata; remembers the first that could not be read.
-class Reader {
-public:
-    explicit Reader(const Metadata& metadata) : metadata_(metadata) {}
-
-    std::string text(const std::string& key) {
-        const auto found = metadata_.find(key);
-        if (found != metadata_.end()) return found->second;
-        if (problem_.empty()) problem_ = cat("the file does not say '", key, "'");
-        return {};
-    }
-
-    template <class Number>
-    Number number(const std::string& key) {
-        return parsed<Number>(key, text(key));
-    }
-
-    bool flag(const std::string& key) { return text(key) == "true"; }
-
-    bool has(const std::string& key) const { return metadata_.contains(key); }
-
-    // The value that `rows` name so.
-    template <class Value>
-    Value named(const std::string& key, std::span<const NamedValue<Value>> rows) {
-        const std::string name = text(key);
-        if (const auto value = value_named(rows, name)) return *value;
-        if (problem_.empty())
-            problem_ = cat("the file says '", name, "' for '", key, "'; known are ",
-                           join(rows, ", ", [](const auto& row) { return row.name; }));
-        return rows.front().value;
-    }
-
-    std::vector<double> numbers(const std::string& key) {
-        std::vector<double> values;
-        std::istringstream words(text(key));
-        for (std::string word; words >> word;) values.push_back(parsed<double>(key, word));
-        return values;
-    }
-
-    const std::string& problem() const { return problem_; }
-
-private:
-    template <class Number>
-    Number parsed(const std::string& key, const std::string& word) {
-        Number value{};
-        const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
-        const bool whole = result.ec == std::errc() && result.ptr == word.data() + word.size();
-        if (!whole && problem_.empty())
-            problem_ = cat("the file says '", word, "' for '", key, "', which is not a number");
-        return value;
-    }
-
-    const Metadata& metadata_;
-    std::string problem_;
-};
-
-void read_cubemap(Reader& reader, AssetFacts& facts) {
+void read_cubemap(MetadataReader& reader, AssetFacts& facts) {
     facts.orientation.convention = reader.text("splitsum.convention");
     facts.orientation.rotate_degrees = reader.number<double>("splitsum.rotate_degrees");
     facts.orientation.mirror = reader.flag("splitsum.mirror");
@@ -164,7 +101,7 @@ void read_cubemap(Reader& reader, AssetFacts& facts) {
     facts.filter.seed = reader.number<uint32_t>("splitsum.seed");
 }
 
-void read_specular(Reader& reader, AssetFacts& facts) {
+void read_specular(MetadataReader& reader, AssetFacts& facts) {
     facts.perceptual_roughness = reader.numbers("splitsum.perceptual_roughness");
     const std::string name = reader.text("splitsum.roughness_curve");
     facts.curve = {RoughnessCurve::Kind::list, facts.perceptual_roughness};
@@ -178,7 +115,7 @@ SmithTerm geometry_named(std::string_view name) {
     return smith_terms().front().term;
 }
 
-void read_table(Reader& reader, TableFacts& facts) {
+void read_table(MetadataReader& reader, TableFacts& facts) {
     TablePlan& plan = facts.plan;
     plan.kind = reader.text("splitsum.table");
     facts.value = reader.text("splitsum.value");
@@ -198,6 +135,11 @@ void read_table(Reader& reader, TableFacts& facts) {
 
 }  // namespace
 
+double stored_factor(const AssetFacts& facts) {
+    return facts.kind == AssetFacts::Kind::irradiance && facts.stores_irradiance ? std::numbers::pi
+                                                                                 : 1;
+}
+
 std::map<std::string, std::string> metadata_of(const AssetFacts& facts) {
     Metadata metadata;
     metadata["splitsum.asset"] = kind_names[size_t(facts.kind)];
@@ -211,7 +153,7 @@ std::map<std::string, std::string> metadata_of(const AssetFacts& facts) {
 }
 
 Result<AssetFacts> facts_of(const Metadata& metadata) {
-    Reader reader(metadata);
+    MetadataReader reader(metadata);
     AssetFacts facts;
     const std::string name = reader.text("splitsum.asset");
     const auto kind = std::ranges::find(kind_names, name);

@@ -45,6 +45,10 @@ struct AssetFacts {
     TableFacts table;                          ///< of tables
 };
 
+/// What the texels of an irradiance cubemap hold, in units of E / pi: pi where that is E, else 1; 1
+/// for everything else.
+double stored_factor(const AssetFacts& facts);
+
 std::map<std::string, std::string> metadata_of(const AssetFacts& facts);
 
 /// The inverse of metadata_of. Fails with unusable_input where a key that is needed is missing or

@@ -83,6 +83,36 @@ std::string saturation_text(const BakeReport& report) {
     return text;
 }
 
+// A line for each level: how much of the panorama's light it holds, and what was cut off.
+std::string light_line(const std::string& what, const LevelCheck& check,
+                       const LevelAccount& account, const EncodeCounts& counts,
+                       const Vec3d& source) {
+    const Vec3d& mean = check.mean_radiance;
+    std::ostringstream line;
+    line << std::left << std::setw(12) << what << std::right << std::setprecision(6);
+    for (const double channel : {mean.x, mean.y, mean.z}) line << std::setw(13) << channel;
+    const double in = source.x + source.y + source.z, out = mean.x + mean.y + mean.z;
+    line << std::scientific << std::setprecision(2) << std::setw(12)
+         << (in > 0 ? out / in - 1 : out) << std::setw(11) << account.clamped_negative
+         << std::setw(11) << counts.saturated << "\n";
+    return line.str();
+}
+
+std::string light_table(const BakeReport& report) {
+    const Vec3d& source = report.source_mean_radiance;
+    std::ostringstream text;
+    text << std::setw(12) << "";
+    for (const char* name : {"mean red", "green", "blue"}) text << std::setw(13) << name;
+    text << std::setw(12) << "gained" << std::setw(11) << "clamped" << std::setw(11) << "saturated"
+         << "\n";
+    for (size_t level = 0; level < report.specular.size(); ++level)
+        text << light_line(cat("light ", level), report.specular[level], report.accounts[level],
+                           report.specular_counts[level], source);
+    text << light_line("light diff.", report.irradiance, report.accounts.back(),
+                       report.irradiance_counts, source);
+    return text.str();
+}
+
 std::string clamped_text(const BakeReport& report) {
     int64_t clamped = 0;
     for (const LevelAccount& account : report.accounts) clamped += account.clamped_negative;
@@ -117,9 +147,12 @@ std::string report_text(const BakeReport& report) {
         text << figures_line(cat("specular ", check.level), check,
                              &report.accounts[size_t(check.level)]);
     text << figures_line("irradiance", report.irradiance, &report.accounts.back())
-         << figures_line("harmonics", report.harmonics) << "\n"
+         << figures_line("harmonics", report.harmonics)
+         << "\nLight of the stored levels, beside the panorama's mean radiance:\n"
+         << light_table(report) << "\n"
          << saturation_text(report) << "\n"
-         << clamped_text(report) << "\n\nFiles:\n";
+         << clamped_text(report) << "\n"
+         << report.source.repaired_texels << " texels of the panorama were repaired\n\nFiles:\n";
     for (const WrittenFile& file : report.files)
         text << "  " << file.name << "  " << file.bytes << " bytes: " << file.what << "\n";
     return text.str();

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "splitsum/measure/error_figures.h"
 #include "splitsum/sphere/cubemap.h"
 #include "splitsum/sphere/environment.h"
+#include "splitsum/verify/exact_probes.h"
 
 namespace splitsum {
 
@@ -22,9 +22,9 @@ struct LevelCheck {
     Vec3d mean_radiance{0};           ///< over the whole level
 };
 
-/// How many probes a level a bake can spend: 64 for panoramas of up to 512 rows, for larger ones
-/// fewer, so that measuring takes no longer, but at least 4.
-int affordable_probes(const Environment& environment);
+/// Texels a level that a bake measures unless it is told: few, so that measuring takes a tenth of
+/// the time of a bake. 8, or 1 of panoramas of more than 1024 rows, where reading is most of the work.
+int default_probes(int panorama_height);
 
 /// How the stored texels relate to the panorama.
 struct CheckedAgainst {
@@ -34,9 +34,23 @@ struct CheckedAgainst {
     int probes = 64;
 };
 
+/// Compares a cubemap with what its texels would be by exact integration; `exact` may be of no
+/// texels. The cubemap's light is divided by `stored_factor` before.
+LevelCheck check_level(const Cubemap& cubemap, const ExactTexels& exact, double stored_factor = 1);
+
+/// The same of diffuse light, whose lobe is the widest: its perceptual roughness is stated as 1.
+LevelCheck check_diffuse(const Cubemap& cubemap, const ExactTexels& exact,
+                         double stored_factor = 1);
+
+/// Compares each level of a prefiltered chain with `exact`, of one cubemap a level or of none at
+/// all; levels[l] has perceptual_roughness[l].
+std::vector<LevelCheck> check_chain(std::span<const Cubemap> levels,
+                                    std::span<const double> perceptual_roughness,
+                                    std::span<const ExactTexels> exact);
+
 /// Compares each level of a prefiltered chain with `reference` at the probes; levels[l] has
 /// roughness[l]. A level of roughness 0 is compared with the mean of the panorama over each texel,
-/// taken at 128 x 128 points. Cost: about 1 ms a probe of a 1024 x 512 panorama on one core.
+/// taken at 128² points. Cost: about 1.3 ms a probe of a 1024 x 512 panorama on one core.
 /// Fails only when cancelled.
 Result<std::vector<LevelCheck>> check_specular(std::span<const Cubemap> levels,
                                                std::span<const double> perceptual_roughness,
@@ -46,9 +60,18 @@ Result<std::vector<LevelCheck>> check_specular(std::span<const Cubemap> levels,
 Result<LevelCheck> check_irradiance(const Cubemap& irradiance, double stored_factor,
                                     const CheckedAgainst& truth, Progress& progress);
 
-/// Compares what a renderer evaluates from the harmonics with exact irradiance: the figure is the
-/// price of the short series, not of how it was computed.
+/// A cubemap of what a renderer evaluates from the harmonics, to be checked like irradiance: the
+/// figure is the price of the short series, not of how it was computed.
+Cubemap cubemap_of_harmonics(const IrradianceHarmonics& harmonics);
+/// Its texels along an edge.
+inline constexpr int harmonics_face_size = 16;
+
+/// Compares cubemap_of_harmonics with exact irradiance.
 Result<LevelCheck> check_harmonics(const IrradianceHarmonics& harmonics,
                                    const CheckedAgainst& truth, Progress& progress);
+
+/// The levels of a prefiltered chain, to be measured.
+std::vector<ProbedCubemap> probed_chain(int face_size,
+                                        std::span<const double> perceptual_roughness);
 
 }  // namespace splitsum

@@ -6,6 +6,7 @@
 
 #include "splitsum/bake/facts.h"
 #include "splitsum/container/ktx2.h"
+#include "splitsum/report/certificate.h"
 #include "splitsum/report/harmonics_file.h"
 #include "support/temporary_folder.h"
 
@@ -75,6 +76,27 @@ TEST(Bake, EveryFileKnowsItsSource) {
         EXPECT_EQ(texture->metadata.at("splitsum.exposure_stops"), "2");
     }
     EXPECT_EQ(read_harmonics(folder / "harmonics.json")->facts.source.hash, "xxh3-128:00");
+}
+
+TEST(Bake, CertifiesWhatItReports) {
+    const tests::TemporaryFolder folder;
+    NoProgress progress;
+    const auto report = bake(light_of(small_panorama()), small_plan(), folder.path(), progress);
+    ASSERT_TRUE(report);
+    const auto check = [&](const char* name, std::span<const LevelCheck> checks) {
+        const auto texture = read_ktx2(folder / name);
+        const auto certificate = certificate_of(texture->metadata);
+        ASSERT_TRUE(certificate) << certificate.error().message;
+        ASSERT_TRUE(*certificate) << name;
+        EXPECT_EQ(contradictions(**certificate, *texture, checks), std::vector<std::string>());
+        for (size_t i = 0; i < checks.size(); ++i) {
+            EXPECT_EQ((*certificate)->levels.at(i).figures.texels, 5);
+            EXPECT_FLOAT_EQ(float((*certificate)->levels[i].figures.rel_rms),
+                            float(checks[i].figures.rel_rms));
+        }
+    };
+    check("specular.ktx2", report->specular);
+    check("irradiance.ktx2", {&report->irradiance, 1});
 }
 
 TEST(Bake, LeavesThePictureOutOnRequest) {

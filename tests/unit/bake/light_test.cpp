@@ -102,6 +102,25 @@ TEST_F(StreamedLight, ASunTooStrongForTheGuessIsReadOnceMore) {
     }
 }
 
+// The figures of a certificate do not depend on whether the texels could be kept.
+TEST_F(StreamedLight, IsMeasuredLikeLightInMemory) {
+    write_pfm(path(), sky_, Vec3(1e8f));  // streamed twice
+    NoProgress progress;
+    const auto streamed = load_light(path(), {}, {.levels = small_plan(), .probes = 3}, progress);
+    const auto kept = load(true);
+    ASSERT_TRUE(streamed && kept);
+    EXPECT_TRUE(kept->exact.empty());
+    const auto a = exact_texels(*streamed, small_plan(), {}, progress);
+    const auto b = exact_texels(*kept, small_plan(), 3, progress);
+    ASSERT_TRUE(a && b);
+    ASSERT_EQ(a->size(), 5u);  // three levels, irradiance, harmonics
+    for (size_t i = 0; i < 5; ++i) {
+        EXPECT_EQ((*a)[i].texels.size(), 3u);
+        EXPECT_EQ((*a)[i].texels, (*b)[i].texels);
+        EXPECT_EQ((*a)[i].radiance, (*b)[i].radiance) << i;
+    }
+}
+
 TEST_F(StreamedLight, RefusesDefectsAsReadingDoes) {
     write_pfm(path(), sky_, Vec3(std::numeric_limits<float>::quiet_NaN()));
     const auto streamed = load(false), kept = load(true);

@@ -1,4 +1,4 @@
-#include "splitsum/picture/cubemap_lookup.h"
+#include "splitsum/sphere/cubemap_lookup.h"
 
 #include <gtest/gtest.h>
 
@@ -56,6 +56,15 @@ TEST(CubemapLookup, IsContinuousAcrossEveryEdge) {
                 EXPECT_LT(step({a, c, b}, {1, 0, 0}), 1e-4f);
                 EXPECT_LT(step({c, a, b}, {0, 1, 0}), 1e-4f);
             }
+}
+
+// Towards a corner all three faces must say the same: the mean of the three texels that meet there.
+TEST(CubemapLookup, IsTheMeanOfThreeTexelsAtACorner) {
+    const Cubemap cubemap = lopsided(4);
+    const Vec3 mean =
+        (cubemap.at(0, 0, 0) + cubemap.at(2, 3, 3) + cubemap.at(4, 3, 0)) / 3.0f;  // +X +Y +Z
+    for (const Vec3d& nudge : {Vec3d(1e-7, 0, 0), Vec3d(0, 1e-7, 0), Vec3d(0, 0, 1e-7)})
+        EXPECT_LT(length(bilinear_lookup(cubemap, Vec3d(1, 1, 1) + nudge) - mean), 1e-5f);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "splitsum/picture/cubemap_lookup.h"
+#include "splitsum/sphere/cubemap_lookup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,14 +7,24 @@ namespace splitsum {
 namespace {
 
 /// Texel (x, y) of a face; one step beyond its edge, the texel of the next face that lies there.
-const Vec3& texel_near(const Cubemap& cubemap, int face, int x, int y) {
+const Vec3& texel_beyond(const Cubemap& cubemap, int face, int x, int y) {
     const int last = cubemap.face_size - 1;
-    if (x >= 0 && x <= last && y >= 0 && y <= last) return cubemap.at(face, x, y);
     const FacePoint beyond = face_point_towards(direction_of_texel(face, x, y, cubemap.face_size));
     const auto texel = [&](double at) {
         return std::clamp(static_cast<int>(at * cubemap.face_size), 0, last);
     };
     return cubemap.at(beyond.face, texel(beyond.s), texel(beyond.t));
+}
+
+Vec3 texel_near(const Cubemap& cubemap, int face, int x, int y) {
+    const int last = cubemap.face_size - 1;
+    const int inner_x = std::clamp(x, 0, last), inner_y = std::clamp(y, 0, last);
+    if (x == inner_x && y == inner_y) return cubemap.at(face, x, y);
+    if (x == inner_x || y == inner_y) return texel_beyond(cubemap, face, x, y);
+    // Three texels meet at a corner; hardware takes their mean for the fourth.
+    return (cubemap.at(face, inner_x, inner_y) + texel_beyond(cubemap, face, x, inner_y) +
+            texel_beyond(cubemap, face, inner_x, y)) /
+           3.0f;
 }
 
 }  // namespace
