@@ -26,7 +26,7 @@ class MeasureCaptures(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
-        cls.outcome = measure(cls.folder.name, PANORAMA, "--curves", "linear", "--probes", "8",
+        cls.outcome = measure(cls.folder.name, PANORAMA, "--curves", "linear", "--probes", "64",
                           "--methods", "filtered", "importance", "--large", "64")
         output = pathlib.Path(cls.folder.name)
         if cls.outcome.returncode == 0:
