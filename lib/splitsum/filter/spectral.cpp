@@ -70,10 +70,12 @@ private:
 };
 
 // The size below which a band factor cannot matter to this light.
+double negligible_for(const Spectrum& spectrum, double accuracy) {
+    return negligible_factor(spectrum.total_power(), spectrum.power(0), accuracy);
+}
+
 double negligible_for(const FilterSource& source, double accuracy) {
-    if (source.spectrum)
-        return negligible_factor(source.spectrum->total_power(), source.spectrum->power(0),
-                                 accuracy);
+    if (source.spectrum) return negligible_for(*source.spectrum, accuracy);
     const Vec3d mean = mean_radiance(source.environment);
     return negligible_factor(integral_of_square(source.environment),
                              4 * std::numbers::pi * dot(mean, mean), accuracy);
@@ -153,8 +155,7 @@ std::optional<int> bands_to_transform(FilterTables& tables, std::span<const Lobe
 
 int bands_needed(FilterTables& tables, const Spectrum& spectrum, std::span<const Lobe> lobes,
                  double accuracy) {
-    const double negligible =
-        negligible_factor(spectrum.total_power(), spectrum.power(0), truncation_share * accuracy);
+    const double negligible = negligible_for(spectrum, truncation_share * accuracy);
     int bands = spectrum.bands();
     for (const Lobe& lobe : lobes) {
         const auto factors = significant_factors(tables, lobe, negligible, most_bands);
