@@ -202,6 +202,39 @@ TEST(SplitsumBake, ReportJsonHasEveryFigureOfReportText) {
 }
 
 // Each level of report.txt: where its light is, and what was cut off.
+TEST(SplitsumBake, ReportsWhatEnginesReadBetweenTexelsAndLevelsAsCompareFindsIt) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(bake({lopsided}, folder.path()).exit_code, 0);
+    const Json bands =
+        json_in(folder / "lopsided/report.json")["measured"]["between_texels_and_levels"];
+    ASSERT_EQ(bands.size(), 4u);
+    const auto compared =
+        run_program({"splitsum-compare", folder / "lopsided/specular.ktx2", "--panorama", lopsided,
+                     "--probes", "8", "--json", "--quiet"});
+    ASSERT_EQ(compared.exit_code, 0) << compared.err;
+    EXPECT_EQ(Json::parse(compared.out)["between_texels_and_levels"], bands);
+
+    std::istringstream lines(bytes_of(folder / "lopsided/report.txt"));
+    size_t band = 0;
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string name, to;
+        double from, until, rel_rms, max_rel, bias;
+        int probes;
+        if (!(words >> name) || name != "between") continue;
+        ASSERT_TRUE(words >> from >> to >> until >> rel_rms >> max_rel >> bias >> probes) << line;
+        const Json& entry = bands.at(band++);
+        EXPECT_EQ(entry["from"], from);
+        EXPECT_EQ(entry["to"], until);
+        EXPECT_NEAR(entry["rel_rms"], rel_rms, 6e-3 * rel_rms);
+        EXPECT_NEAR(entry["max_rel"], max_rel, 6e-3 * max_rel);
+        EXPECT_NEAR(entry["bias"], bias, 6e-3 * std::abs(bias));
+        EXPECT_EQ(entry["texels"], probes);
+        EXPECT_GT(rel_rms, 1e-4);  // far above that of the texels themselves
+    }
+    EXPECT_EQ(band, 4u);
+}
+
 TEST(SplitsumBake, ReportTextTellsWhatBecameOfTheLight) {
     const TemporaryFolder folder;
     ASSERT_EQ(bake({data + "/panoramas/sun.exr"}, folder.path()).exit_code, 0);

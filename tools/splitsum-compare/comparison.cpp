@@ -24,6 +24,7 @@ struct Comparison {
     std::vector<LevelCheck> levels;
     std::vector<std::string> notes;
     std::optional<CertificateCheck> certificate;
+    std::vector<ReconstructionError> between{};
 };
 
 Error mismatch(const std::string& what) { return {ErrorKind::unusable_input, what}; }
@@ -43,6 +44,7 @@ Result<AssetFacts> facts_with_options(const AssetFile& file, const CompareOption
         const auto curve =
             parse_roughness_curve(options.roughness.empty() ? "linear" : options.roughness);
         if (!curve) return curve.error();
+        facts.curve = *curve;
         // A list says how many levels it is for; the curves fit any number.
         facts.perceptual_roughness = curve->kind == RoughnessCurve::Kind::list
                                          ? curve->list
@@ -58,6 +60,18 @@ Result<AssetFacts> facts_with_options(const AssetFile& file, const CompareOption
 bool overruled(const CompareOptions& options) {
     return options.orientation.given() || options.reading.exposure_given() ||
            !options.kind.empty() || !options.roughness.empty();
+}
+
+// What an engine reads between texels and levels of a chain; nothing of other assets.
+Result<std::vector<ReconstructionError>> between_levels(const AssetFile& file,
+                                                        const AssetFacts& facts,
+                                                        const Environment& environment, int probes,
+                                                        Progress& progress) {
+    if (facts.kind != AssetFacts::Kind::specular) return std::vector<ReconstructionError>{};
+    const auto exact = reconstruction_probes(environment, panorama_from_cube(facts.orientation),
+                                             roughness_bands(), probes, progress);
+    if (!exact) return exact.error();
+    return reconstruction_error(file.levels, facts.curve, *exact);
 }
 
 Result<Comparison> against_panorama(const AssetFile& file, const CompareOptions& options,
@@ -88,6 +102,9 @@ Result<Comparison> against_panorama(const AssetFile& file, const CompareOptions&
     auto levels = check_cubemap_asset(file.levels, *facts, environment, options.probes, progress);
     if (!levels) return levels.error();
     comparison.levels = std::move(*levels);
+    auto between = between_levels(file, *facts, environment, options.probes, progress);
+    if (!between) return between.error();
+    comparison.between = std::move(*between);
     const bool as_made = is_source && !overruled(options);
     auto certificate = check_certificate(file, *facts, as_made ? &environment : nullptr, progress);
     if (!certificate) return certificate.error();
@@ -206,6 +223,8 @@ void print(const Comparison& comparison, const std::vector<std::string>& over, b
         result["levels"] = Json::array();
         for (const LevelCheck& check : comparison.levels)
             result["levels"].push_back(check_json(check));
+        if (!comparison.between.empty())
+            result["between_texels_and_levels"] = readings_json(comparison.between);
         result["over_limit"] = over;
         result["certificate"] = certificate_json(comparison.certificate);
         std::cout << result.dump(2) << "\n";
@@ -215,6 +234,9 @@ void print(const Comparison& comparison, const std::vector<std::string>& over, b
     std::cout << figures_heading(false);
     for (const LevelCheck& check : comparison.levels)
         std::cout << figures_line(cat("level ", check.level), check);
+    if (!comparison.between.empty())
+        std::cout << "What an engine reads between texels and levels:\n"
+                  << readings_text(comparison.between);
     for (const std::string& line : over) std::cout << line << "\n";
     if (comparison.certificate) std::cout << certificate_text(*comparison.certificate);
 }

@@ -58,6 +58,10 @@ Status measure(const BakedAssets& assets, const Light& light, const BakePlan& pl
     report.irradiance_counts = assets.irradiance.counts[0];
     report.harmonics = check_diffuse(cubemap_of_harmonics(assets.harmonics), exact->at(levels + 1));
     report.harmonics_lowest = assets.harmonics.lowest;
+    const auto readings = exact_readings(light, levels_plan(plan), plan.probes, progress);
+    if (!readings) return readings.error();
+    report.between =
+        reconstruction_error(assets.specular.levels, plan.specular.roughness, *readings);
     return ok;
 }
 

@@ -26,12 +26,15 @@ struct Builders {
     std::vector<AreaFilterBuilder> mirrors;
     EnvironmentBuilder environment;
     ExactProbes exact;
+    ReconstructionRows readings;
 
     Builders(int height, int bands, const LightUse& use, int probes)
         : spectrum(height, bands),
           environment(height, most_rows_kept / 4),
           exact(height, panorama_from_cube(use.levels.orientation), probed_cubemaps(use.levels),
-                probes) {
+                probes),
+          readings(height, panorama_from_cube(use.levels.orientation), roughness_bands(),
+                   use.levels.specular ? probes : 0) {
         for (const int face_size : mirror_sizes(use.levels))
             mirrors.emplace_back(use.tables->area_geometry(
                 height, face_size, panorama_from_cube(use.levels.orientation)));
@@ -42,6 +45,7 @@ struct Builders {
         for (AreaFilterBuilder& mirror : mirrors) mirror.add_rows(row_count, rgb, 3);
         environment.add_rows(row_count, rgb, 3);
         exact.add_rows(row_count, rgb, 3);
+        readings.add_rows(row_count, rgb, 3);
     }
 };
 
@@ -60,6 +64,7 @@ Result<Light> stream(const std::filesystem::path& path, const PanoramaOptions& o
     for (AreaFilterBuilder& mirror : builders->mirrors)
         light.mirrors.push_back(std::move(mirror).finish());
     light.exact = std::move(builders->exact).finish();
+    light.readings = std::move(builders->readings).finish();
     light.source = source_facts(*panorama);
     light.width = 2 * height;
     light.height = height;
@@ -98,7 +103,10 @@ Result<Light> load_light(const std::filesystem::path& path, const PanoramaOption
                                    use.levels.filter.accuracy);
     if (bands <= *guess) return light;
     auto again = stream(path, options, use, size->height, bands, 0, progress);
-    if (again) again->exact = std::move(light->exact);
+    if (again) {
+        again->exact = std::move(light->exact);
+        again->readings = std::move(light->readings);
+    }
     return again;
 }
 
@@ -120,6 +128,14 @@ Result<std::vector<ExactTexels>> exact_texels(const Light& light, const LevelsPl
     return exact_texels(light.environment, panorama_from_cube(plan.orientation),
                         probed_cubemaps(plan), probes.value_or(default_probes(light.height)),
                         progress);
+}
+
+Result<ReconstructionProbes> exact_readings(const Light& light, const LevelsPlan& plan,
+                                            std::optional<int> probes, Progress& progress) {
+    if (light.readings) return *light.readings;
+    return reconstruction_probes(light.environment, panorama_from_cube(plan.orientation),
+                                 roughness_bands(), probes.value_or(default_probes(light.height)),
+                                 progress);
 }
 
 Light light_of(const Panorama& panorama, std::shared_ptr<FilterTables> tables) {

@@ -12,6 +12,7 @@
 #include "splitsum/panorama/panorama.h"
 #include "splitsum/report/asset_facts.h"
 #include "splitsum/verify/exact_probes.h"
+#include "splitsum/verify/reconstruction.h"
 
 namespace splitsum {
 
@@ -25,6 +26,8 @@ struct Light {
     std::vector<Cubemap> mirrors{};
     /// What the texels to be measured should be: of each of probed_cubemaps.
     std::vector<ExactTexels> exact{};
+    /// And what engines should read between texels and levels.
+    std::optional<ReconstructionProbes> readings{};
 
     SourceFacts source{};
     int width = 0;  ///< of the panorama
@@ -66,6 +69,11 @@ std::vector<ProbedCubemap> probed_cubemaps(const LevelsPlan& plan);
 /// default_probes. Fails only when cancelled.
 Result<std::vector<ExactTexels>> exact_texels(const Light& light, const LevelsPlan& plan,
                                               std::optional<int> probes, Progress& progress);
+
+/// The same of what engines should read between texels and levels of the plan's chain: as many
+/// places in each of roughness_bands.
+Result<ReconstructionProbes> exact_readings(const Light& light, const LevelsPlan& plan,
+                                            std::optional<int> probes, Progress& progress);
 
 /// A panorama that is in memory.
 Light light_of(const Panorama& panorama,

@@ -39,10 +39,11 @@ int storage_steps(const ChartPlan& plan) {
 
 Status measure_storage(const NamedLight& light, const ChartPlan& plan,
                        std::vector<StoredChain>& chains, Progress& progress) {
-    const auto probes = reconstruction_probes(light.source.environment, Mat3d(1), roughness_bands(),
-                                              plan.storage_probes, progress);
-    if (!probes) return probes.error();
     StopOnly stop(progress);
+    const auto probes = reconstruction_probes(light.source.environment, Mat3d(1), roughness_bands(),
+                                              plan.storage_probes, stop);
+    if (!probes) return probes.error();
+    progress.advance(storage_steps(plan) - int(plan.storage_sizes.size()));
     for (const int size : plan.storage_sizes) {
         LevelsPlan levels;
         levels.specular = SpecularPlan{size, usual_level_count(size), {}};

@@ -60,6 +60,7 @@ Json measured_json(const BakeReport& report) {
     return {{"against", "method reference, fp64, on the stored texels"},
             {"probes_per_level", report.probes},
             {"specular", specular},
+            {"between_texels_and_levels", readings_json(report.between)},
             {"irradiance",
              stored_json(report.irradiance, report.irradiance_counts, report.accounts.back())},
             {"harmonics", harmonics}};
@@ -148,6 +149,8 @@ std::string report_text(const BakeReport& report) {
                              &report.accounts[size_t(check.level)]);
     text << figures_line("irradiance", report.irradiance, &report.accounts.back())
          << figures_line("harmonics", report.harmonics)
+         << "\nWhat an engine reads between texels and levels, against exact integration there:\n"
+         << readings_text(report.between)
          << "\nLight of the stored levels, beside the panorama's mean radiance:\n"
          << light_table(report) << "\n"
          << saturation_text(report) << "\n"

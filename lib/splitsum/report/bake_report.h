@@ -8,6 +8,7 @@
 #include "splitsum/report/asset_facts.h"
 #include "splitsum/texture/pixel_format.h"
 #include "splitsum/verify/check_levels.h"
+#include "splitsum/verify/reconstruction.h"
 
 namespace splitsum {
 
@@ -38,6 +39,8 @@ struct BakeReport {
     int probes = 0;  ///< texels measured a level
     std::vector<LevelCheck> specular;
     std::vector<EncodeCounts> specular_counts;  ///< a level each
+    /// What an engine reads between texels and levels, for each band of roughness.
+    std::vector<ReconstructionError> between;
     LevelCheck irradiance;
     EncodeCounts irradiance_counts;
     LevelCheck harmonics;

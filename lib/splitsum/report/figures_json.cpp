@@ -32,4 +32,13 @@ Json check_json(const LevelCheck& check) {
     return json;
 }
 
+Json readings_json(std::span<const ReconstructionError> bands) {
+    Json json = Json::array();
+    for (const ReconstructionError& band : bands) {
+        json.push_back({{"from", band.range.from}, {"to", band.range.to}});
+        if (band.figures.texels > 0) json.back().update(figures_json(band.figures));
+    }
+    return json;
+}
+
 }  // namespace splitsum

@@ -1,8 +1,7 @@
 #include "splitsum/verify/exact_probes.h"
 
-#include <algorithm>
-
 #include "splitsum/sphere/cubemap.h"
+#include "splitsum/verify/all_rows_detail.h"
 
 namespace splitsum {
 namespace {
@@ -55,20 +54,8 @@ Result<std::vector<ExactTexels>> exact_texels(const Environment& environment,
                                               std::span<const ProbedCubemap> cubemaps, int probes,
                                               Progress& progress) {
     ExactProbes exact(environment.height(), panorama_from_cube, cubemaps, probes);
-    // In bands, between which the caller may cancel and sees how far it has come.
-    constexpr int rows_at_once = 32;
-    const size_t floats_per_row = 4 * size_t(environment.width());
-    progress.begin("measuring", exact.texel_count());
-    int reported = 0;
-    for (int y = 0; y < environment.height(); y += rows_at_once) {
-        if (progress.cancelled())
-            return Error{ErrorKind::interrupted, "interrupted while measuring"};
-        const int rows = std::min(rows_at_once, environment.height() - y);
-        exact.add_rows(rows, environment.texels().data() + floats_per_row * size_t(y), 4);
-        const int done = int(int64_t(exact.texel_count()) * (y + rows) / environment.height());
-        progress.advance(done - reported);
-        reported = done;
-    }
+    const Status added = add_all_rows(exact, exact.texel_count(), environment, progress);
+    if (!added) return added.error();
     return std::move(exact).finish();
 }
 

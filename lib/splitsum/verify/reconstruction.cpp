@@ -5,9 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "splitsum/base/parallel.h"
-#include "splitsum/filter/reference.h"
 #include "splitsum/sphere/cubemap_lookup.h"
+#include "splitsum/verify/all_rows_detail.h"
 
 namespace splitsum {
 namespace {
@@ -34,14 +33,26 @@ Probe probe_at(const Vec3d& point, const RoughnessBand& range) {
             Vec3(0)};
 }
 
-Vec3 exact_integral(const Environment& environment, const Mat3d& panorama_from_cube,
-                    const Probe& probe) {
-    const double r = probe.perceptual_roughness;
-    const Lobe lobe{LobeKind::ggx, r * r};
-    const Vec3d towards = panorama_from_cube * probe.towards;
-    Vec3 radiance;
-    prepare_reference(environment, {&lobe, 1}, {})->evaluate(0, {{&towards, 1}}, {&radiance, 1});
-    return radiance;
+std::vector<ReconstructionProbes::Band> probed_bands(std::span<const RoughnessBand> ranges,
+                                                     int count) {
+    std::vector<ReconstructionProbes::Band> bands;
+    for (const RoughnessBand& range : ranges) {
+        bands.push_back({range, {}});
+        for (int i = 0; i < count; ++i)
+            bands.back().probes.push_back(probe_at(quasirandom_point(i), range));
+    }
+    return bands;
+}
+
+std::vector<ReferenceProbes::Probe> integrals_of(std::span<const ReconstructionProbes::Band> bands,
+                                                 const Mat3d& panorama_from_cube) {
+    std::vector<ReferenceProbes::Probe> integrals;
+    for (const ReconstructionProbes::Band& band : bands)
+        for (const Probe& probe : band.probes)
+            integrals.push_back(
+                {{LobeKind::ggx, probe.perceptual_roughness * probe.perceptual_roughness},
+                 panorama_from_cube * probe.towards});
+    return integrals;
 }
 
 }  // namespace
@@ -52,25 +63,28 @@ std::span<const RoughnessBand> roughness_bands() {
     return bands;
 }
 
+ReconstructionRows::ReconstructionRows(int height, const Mat3d& panorama_from_cube,
+                                       std::span<const RoughnessBand> bands, int count)
+    : bands_(probed_bands(bands, count)),
+      count_(count),
+      reference_(height, integrals_of(bands_, panorama_from_cube)) {}
+
+ReconstructionProbes ReconstructionRows::finish() && {
+    const std::vector<Vec3> exact = reference_.finish();
+    size_t next = 0;
+    for (ReconstructionProbes::Band& band : bands_)
+        for (Probe& probe : band.probes) probe.exact = exact[next++];
+    return {std::move(bands_)};
+}
+
 Result<ReconstructionProbes> reconstruction_probes(const Environment& environment,
                                                    const Mat3d& panorama_from_cube,
                                                    std::span<const RoughnessBand> bands, int count,
                                                    Progress& progress) {
-    ReconstructionProbes result;
-    for (const RoughnessBand& range : bands) {
-        std::vector<Probe> probes(size_t(std::max(count, 0)));
-        parallel_rows(int(probes.size()), [&](int i) {
-            if (progress.cancelled()) return;
-            Probe& probe = probes[size_t(i)];
-            probe = probe_at(quasirandom_point(i), range);
-            probe.exact = exact_integral(environment, panorama_from_cube, probe);
-            progress.advance(1);
-        });
-        if (progress.cancelled())
-            return Error{ErrorKind::interrupted, "interrupted while measuring"};
-        result.bands.push_back({range, std::move(probes)});
-    }
-    return result;
+    ReconstructionRows rows(environment.height(), panorama_from_cube, bands, count);
+    const Status added = add_all_rows(rows, rows.probe_count(), environment, progress);
+    if (!added) return added.error();
+    return std::move(rows).finish();
 }
 
 Vec3 trilinear_lookup(std::span<const Cubemap> levels, const RoughnessCurve& curve,

@@ -5,6 +5,7 @@
 
 #include "splitsum/base/progress.h"
 #include "splitsum/base/result.h"
+#include "splitsum/filter/reference_probes.h"
 #include "splitsum/math/vec.h"
 #include "splitsum/measure/error_figures.h"
 #include "splitsum/plan/roughness_curve.h"
@@ -36,10 +37,34 @@ struct ReconstructionProbes {
     std::vector<Band> bands;
 };
 
-/// `count` probes in each band: directions evenly over the sphere, roughness evenly over the band
-/// (points of an additive sequence; Roberts 2018, "The Unreasonable Effectiveness of Quasirandom
-/// Sequences", R3), the first n of them the same for every count. Deterministic. Reports a step a
-/// probe. Cost: about 1 ms a probe of a 1024 x 512 panorama on one core. Fails only when cancelled.
+/// Exact integration for the probes while the panorama's rows pass by.
+class ReconstructionRows {
+public:
+    /// `count` probes in each band of a panorama of `height` rows: directions evenly over the
+    /// sphere, roughness evenly over the band (points of an additive sequence; Roberts 2018, "The
+    /// Unreasonable Effectiveness of Quasirandom Sequences", R3), the first n of them the same for
+    /// every count. Deterministic.
+    ReconstructionRows(int height, const Mat3d& panorama_from_cube,
+                       std::span<const RoughnessBand> bands, int count);
+
+    int probe_count() const { return int(bands_.size()) * count_; }
+
+    /// The next rows, as ReferenceProbes takes them, and at its cost.
+    void add_rows(int row_count, const float* texels, int floats_per_texel) {
+        reference_.add_rows(row_count, texels, floats_per_texel);
+    }
+
+    /// When every row was added.
+    ReconstructionProbes finish() &&;
+
+private:
+    std::vector<ReconstructionProbes::Band> bands_;
+    int count_;
+    ReferenceProbes reference_;
+};
+
+/// The same for a panorama in memory. Progress: the stage "measuring", one step a probe. Cost:
+/// about 1 ms a probe of a 1024 x 512 panorama on one core. Fails only when cancelled.
 Result<ReconstructionProbes> reconstruction_probes(const Environment& environment,
                                                    const Mat3d& panorama_from_cube,
                                                    std::span<const RoughnessBand> bands, int count,

@@ -119,6 +119,16 @@ TEST_F(StreamedLight, IsMeasuredLikeLightInMemory) {
         EXPECT_EQ((*a)[i].texels, (*b)[i].texels);
         EXPECT_EQ((*a)[i].radiance, (*b)[i].radiance) << i;
     }
+    const auto read = exact_readings(*streamed, small_plan(), {}, progress);
+    const auto read_later = exact_readings(*kept, small_plan(), 3, progress);
+    ASSERT_TRUE(read && read_later);
+    ASSERT_EQ(read->bands.size(), 4u);
+    for (size_t band = 0; band < 4; ++band)
+        for (size_t i = 0; i < 3; ++i) {
+            EXPECT_GT(read->bands[band].probes[i].exact.x, 0);
+            EXPECT_EQ(read->bands[band].probes.at(i).exact,
+                      read_later->bands[band].probes.at(i).exact);
+        }
 }
 
 TEST_F(StreamedLight, RefusesDefectsAsReadingDoes) {
