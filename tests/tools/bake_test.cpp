@@ -209,8 +209,8 @@ TEST(SplitsumBake, ReportsWhatEnginesReadBetweenTexelsAndLevelsAsCompareFindsIt)
         json_in(folder / "lopsided/report.json")["measured"]["between_texels_and_levels"];
     ASSERT_EQ(bands.size(), 4u);
     const auto compared =
-        run_program({"splitsum-compare", folder / "lopsided/specular.ktx2", "--panorama", lopsided,
-                     "--probes", "8", "--json", "--quiet"});
+        run_tool("splitsum-compare", {(folder / "lopsided/specular.ktx2").string(), "--panorama",
+                                      lopsided, "--probes", "8", "--json", "--quiet"});
     ASSERT_EQ(compared.exit_code, 0) << compared.err;
     EXPECT_EQ(Json::parse(compared.out)["between_texels_and_levels"], bands);
 
