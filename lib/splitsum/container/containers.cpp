@@ -4,6 +4,7 @@
 #include <string>
 
 #include "splitsum/base/text.h"
+#include "splitsum/container/dds.h"
 #include "splitsum/container/exr.h"
 #include "splitsum/container/exr_cube.h"
 
@@ -20,6 +21,11 @@ constexpr Container table[] = {
          return write_exr(texture, path);
      },
      read_exr, check_exr_cube},
+    {".dds", "DDS: any format, for engines that read no KTX 2; keeps no metadata",
+     [](const TextureAsset& texture, const std::filesystem::path& path, const ContainerOptions&) {
+         return write_dds(texture, path);
+     },
+     read_dds, [](const CubeShape&) -> Status { return ok; }},
 };
 
 std::string lower_case(std::string text) {
