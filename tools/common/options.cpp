@@ -167,8 +167,8 @@ SpecularOptions::SpecularOptions(CLI::App& app) {
     app.add_option(
            "--roughness", roughness_,
            with_default("perceptual roughness of the levels: linear (level / (levels - 1)), "
-                        "filament\n(1 - sqrt(1 - level / (levels - 1))) or a list such as "
-                        "0,0.25,0.5,1",
+                        "filament\n(1 - sqrt(1 - level / (levels - 1))), babylon (sqrt(2^(level / "
+                        "0.8) / size - 0.0005),\nat most 1) or a list such as 0,0.25,0.5,1",
                         roughness_))
         ->option_text("CURVE")
         ->check(not_empty());
@@ -176,7 +176,7 @@ SpecularOptions::SpecularOptions(CLI::App& app) {
 
 Result<SpecularPlan> SpecularOptions::plan() const {
     SpecularPlan plan = plan_;
-    const auto curve = parse_roughness_curve(roughness_);
+    const auto curve = parse_roughness_curve_of_chain(roughness_, plan.face_size, plan.levels);
     if (!curve) return curve.error();
     plan.roughness = *curve;
     if (const Status valid = validate(plan); !valid) return valid.error();

@@ -41,8 +41,9 @@ Result<AssetFacts> facts_with_options(const AssetFile& file, const CompareOption
     if (options.orientation.given() || !file.facts) facts.orientation = options.orientation.plan;
     const bool is_chain = facts.kind == AssetFacts::Kind::specular;
     if (is_chain && (!options.roughness.empty() || facts.perceptual_roughness.empty())) {
-        const auto curve =
-            parse_roughness_curve(options.roughness.empty() ? "linear" : options.roughness);
+        const auto curve = parse_roughness_curve_of_chain(
+            options.roughness.empty() ? "linear" : options.roughness,
+            file.levels.empty() ? 1 : file.levels.front().face_size, int(file.levels.size()));
         if (!curve) return curve.error();
         facts.curve = *curve;
         // A list says how many levels it is for; the curves fit any number.
@@ -245,7 +246,7 @@ void print(const Comparison& comparison, const std::vector<std::string>& over, b
 
 CompareOptions::CompareOptions(CLI::App& app)
     : reading(app, what_the_asset_says), orientation(app, what_the_asset_says), json(app) {
-    app.add_option("ASSET", asset, "the asset: .ktx2, .exr, or .json of harmonics")
+    app.add_option("ASSET", asset, "the asset: .ktx2, .exr, .dds, or .json of harmonics")
         ->option_text(" ")
         ->required()
         ->check(not_empty());

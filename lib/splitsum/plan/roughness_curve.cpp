@@ -12,23 +12,23 @@
 namespace splitsum {
 namespace {
 
-Error not_a_curve(std::string_view text) {
+Error not_a_curve(std::string_view text, std::string_view names) {
     return {ErrorKind::bad_argument,
-            cat("'", text, "' is not a roughness curve; use linear, filament, or the perceptual ",
+            cat("'", text, "' is not a roughness curve; use ", names, ", or the perceptual ",
                 "roughness of every level such as 0,0.25,0.5,1")};
 }
 
-Result<std::vector<double>> parse_list(std::string_view text) {
+Result<std::vector<double>> parse_list(std::string_view text, std::string_view names) {
     std::vector<double> values;
     const char* at = text.data();
     const char* const end = at + text.size();
     while (true) {
         double value = 0;
         const auto [stopped, failure] = std::from_chars(at, end, value);
-        if (failure != std::errc()) return not_a_curve(text);
+        if (failure != std::errc()) return not_a_curve(text, names);
         values.push_back(value);
         if (stopped == end) return values;
-        if (*stopped != ',') return not_a_curve(text);
+        if (*stopped != ',') return not_a_curve(text, names);
         at = stopped + 1;
     }
 }
@@ -50,6 +50,17 @@ double level_in_list(const std::vector<double>& list, double perceptual_roughnes
     if (above == list.end()) return level - 1;
     const double below = *(above - 1);
     return level - 1 + (perceptual_roughness - below) / (*above - below);
+}
+
+// `names` are the curves with a name that an error lists.
+Result<RoughnessCurve> parse_curve(const std::string& text, std::string_view names) {
+    if (text == "linear") return RoughnessCurve{};
+    if (text == "filament") return RoughnessCurve{RoughnessCurve::Kind::filament, {}};
+    auto values = parse_list(text, names);
+    if (!values) return values.error();
+    RoughnessCurve curve{RoughnessCurve::Kind::list, std::move(*values)};
+    if (const Status valid = validate(curve); !valid) return valid.error();
+    return curve;
 }
 
 }  // namespace
@@ -74,13 +85,22 @@ Status validate(const RoughnessCurve& curve) {
 }
 
 Result<RoughnessCurve> parse_roughness_curve(const std::string& text) {
-    if (text == "linear") return RoughnessCurve{};
-    if (text == "filament") return RoughnessCurve{RoughnessCurve::Kind::filament, {}};
-    auto values = parse_list(text);
-    if (!values) return values.error();
-    RoughnessCurve curve{RoughnessCurve::Kind::list, std::move(*values)};
-    if (const Status valid = validate(curve); !valid) return valid.error();
+    return parse_curve(text, "linear, filament");
+}
+
+RoughnessCurve babylon_curve(int face_size, int levels) {
+    RoughnessCurve curve{RoughnessCurve::Kind::list, {0}};
+    for (int level = 1; level < levels; ++level) {
+        const double alpha = std::exp2(level / 0.8) / face_size - 0.0005;
+        curve.list.push_back(std::sqrt(std::clamp(alpha, 0.0, 1.0)));
+    }
     return curve;
+}
+
+Result<RoughnessCurve> parse_roughness_curve_of_chain(const std::string& text, int face_size,
+                                                      int levels) {
+    if (text == "babylon") return babylon_curve(face_size, levels);
+    return parse_curve(text, "linear, filament, babylon");
 }
 
 std::string to_string(const RoughnessCurve& curve) {

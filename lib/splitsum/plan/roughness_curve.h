@@ -25,6 +25,17 @@ Status validate(const RoughnessCurve& curve);
 /// Reads "linear", "filament" or a list such as "0,0.25,0.5,1". Fails with bad_argument.
 Result<RoughnessCurve> parse_roughness_curve(const std::string& text);
 
+/// What Babylon.js reads by default: level 0.8 log2(face_size alpha_read), where alpha_read is the
+/// squared perceptual roughness + 0.0005 (Babylon.js 9, pbrHelperFunctions, pbrIBLFunctions; the 0.8
+/// is its lodGenerationScale). So level l holds r with r^2 = 2^(l / 0.8) / face_size - 0.0005, at
+/// most 1; level 0 is the mirror, as in Babylon's own filter. A list, because the curve depends on
+/// the size; 0.8 log2(face_size) + 1 levels, rounded up, reach r = 1.
+RoughnessCurve babylon_curve(int face_size, int levels);
+
+/// As parse_roughness_curve, and "babylon" for babylon_curve of that chain.
+Result<RoughnessCurve> parse_roughness_curve_of_chain(const std::string& text, int face_size,
+                                                      int levels);
+
 /// The text that parse_roughness_curve reads back as the same curve, to the last bit.
 std::string to_string(const RoughnessCurve& curve);
 

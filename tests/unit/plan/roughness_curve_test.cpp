@@ -70,6 +70,37 @@ TEST(RoughnessCurve, TextReadsBackToTheLastBit) {
     }
 }
 
+// The shader's reading, written a second time: at each level's own roughness it reads that level.
+TEST(RoughnessCurve, BabylonReadsTheLevelsWhereTheyAre) {
+    for (const int face_size : {64, 256, 1024}) {
+        const int levels = static_cast<int>(std::ceil(0.8 * std::log2(face_size))) + 1;
+        const RoughnessCurve curve = babylon_curve(face_size, levels);
+        ASSERT_TRUE(validate(curve));
+        ASSERT_EQ(curve.list.size(), static_cast<size_t>(levels));
+        EXPECT_EQ(curve.list.front(), 0);
+        EXPECT_GT(curve.list.back(), 0.9997);
+        for (int level = 1; level < levels - 1; ++level) {
+            const double r = curve.list[static_cast<size_t>(level)];
+            EXPECT_LT(r, 1);
+            EXPECT_NEAR(0.8 * std::log2(face_size * (r * r + 0.0005)), level, 1e-12) << face_size;
+        }
+    }
+}
+
+TEST(RoughnessCurve, BabylonDependsOnTheChainAndTheOthersDoNot) {
+    EXPECT_EQ(parse_roughness_curve_of_chain("babylon", 128, 5)->list, babylon_curve(128, 5).list);
+    EXPECT_EQ(parse_roughness_curve_of_chain("filament", 128, 5)->kind, Kind::filament);
+    EXPECT_FALSE(parse_roughness_curve_of_chain("Babylon", 128, 5));
+    EXPECT_FALSE(parse_roughness_curve("babylon")) << "needs the size";
+}
+
+// However small or long the chain, values stay in [0, 1].
+TEST(RoughnessCurve, BabylonFitsEveryChain) {
+    for (const int face_size : {1, 2, 8192})
+        for (int levels = 1; levels <= 14; ++levels)
+            EXPECT_TRUE(validate(babylon_curve(face_size, levels))) << face_size << " " << levels;
+}
+
 TEST(RoughnessCurve, RefusesWhatIsNotACurve) {
     for (const char* text : {"", "Linear", "0,", ",0", "0;1", "0,1,0.5", "-0.1,1", "0,1.01",
                              "nan,1", "0, 1", "0,1x"}) {
