@@ -119,7 +119,7 @@ private:
     std::string roughness_axis_;
 };
 
-/// The endings that name a container, for --help: ".ktx2 or .exr".
+/// The endings that name a container, for --help: ".ktx2 or .exr or .dds".
 std::string container_endings();
 
 /// How the texels are stored: --format, --zstd, --zstd-level.

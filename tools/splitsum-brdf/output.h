@@ -10,7 +10,7 @@
 
 namespace splitsum::tools {
 
-/// The endings that a table can be written with: ".ktx2, .exr, .hpp, .glsl or .json".
+/// The endings that a table can be written with: ".ktx2, .exr, .dds, .hpp, .glsl or .json".
 std::string table_endings();
 
 /// --preview.

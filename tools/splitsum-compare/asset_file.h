@@ -22,7 +22,7 @@ struct AssetFile {
     std::optional<TextureAsset> texture;  ///< what `levels` are decoded from
 };
 
-/// Reads a texture (.ktx2, .exr) or harmonics (.json).
+/// Reads a texture (.ktx2, .exr, .dds) or harmonics (.json).
 Result<AssetFile> read_asset(const std::filesystem::path& path);
 
 }  // namespace splitsum::tools
