@@ -8,8 +8,14 @@ import '@babylonjs/core/Materials/Textures/baseTexture.polynomial.js';
 /// with --roughness linear, the default; leave it out if it was baked with --roughness babylon.
 /// `harmonics` is the content of harmonics.json; without it Babylon.js projects level 0 itself.
 export async function loadEnvironment(url, scene, { levels, harmonics } = {}) {
-    const texture = CubeTexture.CreateFromPrefilteredData(url, scene);
-    await new Promise((resolve) => texture.onLoadObservable.addOnce(resolve));
+    const texture = await new Promise((resolve, reject) => {
+        const loading = new CubeTexture(url, scene, {
+            prefiltered: true,
+            createPolynomials: harmonics === undefined,
+            onLoad: () => resolve(loading),
+            onError: (message) => reject(new Error(`${url}: ${message}`)),
+        });
+    });
     if (levels !== undefined) {
         texture.linearSpecularLOD = true; // level = log2(width) * roughness * lodGenerationScale
         texture.lodGenerationScale = (levels - 1) / Math.log2(texture.getSize().width);
