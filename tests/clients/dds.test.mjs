@@ -2,7 +2,7 @@
 // files of the same bake, which ktx-parse reads.
 
 import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
+import { execFileSync, spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
@@ -50,6 +50,15 @@ for (const [name, size, levels, Values] of [
             assert.deepEqual(data, expected, `face ${face} level ${level}`);
         }
     });
+
+test('who writes a file without metadata is told so', () => {
+    const bake = (name) =>
+        execFileSync(`${process.env.SPLITSUM_BIN}/splitsum-specular`,
+            [pathOf('sky.pfm'), '-o', pathOf(name), '--size', '16', '--levels', '3', '--quiet'],
+            { encoding: 'utf8' });
+    assert.match(bake('noted.dds'), /^note: \.dds files keep no metadata/m);
+    assert.doesNotMatch(bake('noted.ktx2'), /^note:/m);
+});
 
 test('a file without metadata must be told what it is', () => {
     const compare = (...options) =>

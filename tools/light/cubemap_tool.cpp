@@ -60,9 +60,14 @@ void CubemapOutputOptions::print(const std::vector<LevelCheck>& checks,
                                  const Light& light) const {
     int64_t saturated = 0;
     for (const EncodeCounts& count : counts) saturated += count.saturated;
+    std::vector<std::string> notes = light.notes;
+    if (const auto container = container_of(path_); container && !container->keeps_metadata)
+        notes.push_back(cat(container->extension,
+                            " files keep no metadata: neither the roughness of ",
+                            "each level nor the certificate is in the file"));
     if (json_) {
         nlohmann::ordered_json json = {
-            {"file", path_.string()}, {"notes", light.notes}, {"saturated", saturated}};
+            {"file", path_.string()}, {"notes", notes}, {"saturated", saturated}};
         json["measured"] = nlohmann::ordered_json::array();
         for (size_t i = 0; i < checks.size(); ++i) {
             json["measured"].push_back(check_json(checks[i]));
@@ -71,7 +76,7 @@ void CubemapOutputOptions::print(const std::vector<LevelCheck>& checks,
         std::cout << json.dump(2) << "\n";
         return;
     }
-    for (const std::string& note : light.notes) std::cout << "note: " << note << "\n";
+    for (const std::string& note : notes) std::cout << "note: " << note << "\n";
     if (saturated > 0)
         std::cout << "note: " << saturated << " values were above the format's largest and are "
                   << "stored as that\n";

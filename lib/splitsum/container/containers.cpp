@@ -12,16 +12,17 @@ namespace splitsum {
 namespace {
 
 constexpr Container table[] = {
-    {".ktx2", "KTX 2: any format, as engines load it",
+    {".ktx2", "KTX 2: any format, as engines load it", true,
      [](const TextureAsset& texture, const std::filesystem::path& path,
         const ContainerOptions& options) { return write_ktx2(texture, path, options.ktx2); },
      read_ktx2, [](const CubeShape&) -> Status { return ok; }},
     {".exr", "OpenEXR: cube-face environment maps with MIP levels, tables; half floats and floats",
+     true,
      [](const TextureAsset& texture, const std::filesystem::path& path, const ContainerOptions&) {
          return write_exr(texture, path);
      },
      read_exr, check_exr_cube},
-    {".dds", "DDS: any format, for engines that read no KTX 2; keeps no metadata",
+    {".dds", "DDS: any format, for engines that read no KTX 2; keeps no metadata", false,
      [](const TextureAsset& texture, const std::filesystem::path& path, const ContainerOptions&) {
          return write_dds(texture, path);
      },

@@ -19,6 +19,7 @@ struct ContainerOptions {
 struct Container {
     std::string_view extension;  ///< with its dot, in lower case
     std::string_view summary;    ///< one line for --help
+    bool keeps_metadata;         ///< or drops TextureAsset::metadata when writing
     Status (*write)(const TextureAsset& texture, const std::filesystem::path& path,
                     const ContainerOptions& options);
     Result<TextureAsset> (*read)(const std::filesystem::path& path);

@@ -18,6 +18,8 @@ TEST(Containers, EachBringsBackWhatItWrote) {
             const auto back = read_texture(path);
             ASSERT_TRUE(back) << back.error().message;
             EXPECT_TRUE(same_texels(*back, texture)) << container.extension;
+            for (const auto& [key, value] : texture.metadata)
+                EXPECT_EQ(back->metadata.count(key), container.keeps_metadata ? 1u : 0u) << key;
         }
 }
 
