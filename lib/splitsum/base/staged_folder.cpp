@@ -79,33 +79,32 @@ public:
     // The file is not there from now on.
     Status take_away(const fs::path& name) {
         std::error_code failure;
-        if (!fs::exists(fs::symlink_status(to_ / name, failure))) return ok;
-        return move(to_ / name, from_ / older_files / name);
+        rename(to_ / name, from_ / older_files / name, failure);
+        if (failure && failure != std::errc::no_such_file_or_directory)
+            return unwritable(to_ / name, failure);
+        return ok;
     }
 
-    // The older file is there until the new one is.
+    // The older file, if there is one, is there until the new one is.
     Status replace(const fs::path& name) {
-        std::error_code failure;
         const fs::path kept = from_ / older_files / name;
-        if (fs::exists(fs::symlink_status(to_ / name, failure))) {
-            fs::create_hard_link(to_ / name, kept, failure);
-            if (!failure)
-                done_.emplace_back(to_ / name, kept);
-            else if (Status moved = move(to_ / name, kept); !moved)  // no links on this disk
-                return moved;
-        }
-        return move(from_ / name, to_ / name);
+        std::error_code failure;
+        fs::create_hard_link(to_ / name, kept, failure);
+        if (!failure)
+            done_.emplace_back(to_ / name, kept);
+        else if (const Status away = take_away(name); !away)  // none, or no links on this disk
+            return away;
+        rename(from_ / name, to_ / name, failure);
+        if (failure) return unwritable(to_ / name, failure);
+        return ok;
     }
 
     void keep() { done_.clear(); }
 
 private:
-    Status move(const fs::path& from, const fs::path& to) {
-        std::error_code failure;
+    void rename(const fs::path& from, const fs::path& to, std::error_code& failure) {
         fs::rename(from, to, failure);
-        if (failure) return unwritable(from.parent_path() == from_ ? to : from, failure);
-        done_.emplace_back(from, to);
-        return ok;
+        if (!failure) done_.emplace_back(from, to);
     }
 
     fs::path from_, to_;
