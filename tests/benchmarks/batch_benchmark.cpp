@@ -19,6 +19,7 @@
 #include "splitsum/bake/bake.h"
 #include "splitsum/base/parallel.h"
 #include "splitsum/base/text.h"
+#include "splitsum/library/memory_of_bake.h"
 #include "splitsum/schedule/schedule.h"
 
 namespace {
@@ -61,29 +62,41 @@ double cpu_seconds() {
     return seconds(used.ru_utime) + seconds(used.ru_stime);
 }
 
+// What all bakes together may allocate.
+std::optional<int64_t> budget_of(const Batch& batch) {
+    if (!batch.memory) return std::nullopt;
+    return *batch.memory - status_bytes("VmRSS") - memory_of_shared_tables;
+}
+
+// The message if the panorama cannot be baked.
+std::string bake_one(const std::string& panorama, const std::shared_ptr<FilterTables>& tables,
+                     const fs::path& folder) {
+    NoProgress quiet;
+    const BakePlan plan;
+    const auto light = load_light(panorama, {}, light_use(plan, tables), quiet);
+    if (!light) return light.error().message;
+    const auto report = bake(*light, plan, folder, quiet);
+    return report ? "" : report.error().message;
+}
+
 // Bakes them all; the messages of those that failed.
 std::vector<std::string> bake_all(const Batch& batch, int threads, const fs::path& folder) {
-    const BakePlan plan;
     const auto tables = std::make_shared<FilterTables>();
     std::mutex mutex;
     std::vector<std::string> failures;
     std::vector<Job> jobs;
-    for (size_t i = 0; i < batch.panoramas.size(); ++i)
-        jobs.push_back({0, [&, i] {
-                            NoProgress quiet;
-                            const auto light =
-                                load_light(batch.panoramas[i], {}, light_use(plan, tables), quiet);
-                            std::string failure;
-                            if (!light)
-                                failure = light.error().message;
-                            else if (const auto report =
-                                         bake(*light, plan, folder / std::to_string(i), quiet);
-                                     !report)
-                                failure = report.error().message;
+    for (size_t i = 0; i < batch.panoramas.size(); ++i) {
+        const std::string& panorama = batch.panoramas[i];
+        const auto size = panorama_size(panorama, {});
+        const int64_t bytes = size ? memory_of_bake(*size, {}, threads) : 0;
+        jobs.push_back({bytes, [&, i] {
+                            const std::string failure =
+                                bake_one(panorama, tables, folder / std::to_string(i));
                             const std::lock_guard lock(mutex);
                             if (!failure.empty()) failures.push_back(failure);
                         }});
-    const Status run = run_jobs(std::move(jobs), {threads, std::nullopt}, NoProgress());
+    }
+    const Status run = run_jobs(std::move(jobs), {threads, budget_of(batch)}, NoProgress());
     if (!run) failures.push_back(run.error().message);
     return failures;
 }
@@ -99,7 +112,8 @@ double measure(const Batch& batch, int threads, double first_rate) {
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     fs::remove_all(folder);
-    for (const std::string& failure : failures) std::fprintf(stderr, "batch: %s\n", failure.c_str());
+    for (const std::string& failure : failures)
+        std::fprintf(stderr, "batch: %s\n", failure.c_str());
     if (!failures.empty()) return 0;
     const double rate = double(batch.panoramas.size()) / seconds;
     std::printf("%3d threads  %7.2f s  %6.2f cpu s  %7.3f panoramas/s", threads, seconds,
@@ -140,8 +154,9 @@ Batch parsed(int argc, char** argv) {
 int main(int argc, char** argv) {
     const Batch batch = parsed(argc, argv);
     if (batch.panoramas.empty() || batch.threads.empty()) {
-        std::fprintf(stderr, "usage: batch [--threads COUNT...] [--memory MEGABYTES] "
-                             "[--rounds COUNT] PANORAMA...\n");
+        std::fprintf(stderr,
+                     "usage: batch [--threads COUNT...] [--memory MEGABYTES] "
+                     "[--rounds COUNT] PANORAMA...\n");
         return 2;
     }
     for (int round = 0; round < batch.rounds; ++round) {
