@@ -24,9 +24,9 @@ Vec3d direct_specular(const Vec3d& normal, const Vec3d& view, const Vec3d& towar
     const Vec3d across = cross(normal, half);
     const double v_dot_h = std::clamp(dot(view, half) / std::sqrt(length2), 0.0, 1.0);
     const double alpha = std::sqrt(alpha2);
-    const double lobe =
-        ggx_density(std::min(dot(across, across) / length2, 1.0), alpha) *
-        smith_visibility(SmithTerm::height_correlated, n_dot_l, n_dot_v, alpha) * n_dot_l;
+    const double lobe = ggx_density(std::min(dot(across, across) / length2, 1.0), alpha) *
+                        smith_visibility(SmithTerm::height_correlated, n_dot_l, n_dot_v, alpha) *
+                        n_dot_l;
     const double grazing = std::pow(1 - v_dot_h, 5);
     return lobe * (f0 + grazing * (Vec3d(1) - f0));
 }

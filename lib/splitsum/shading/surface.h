@@ -1,6 +1,7 @@
 #pragma once
 
 #include "splitsum/math/vec.h"
+#include "splitsum/table/split_sum_lookup.h"
 
 namespace splitsum {
 
@@ -21,6 +22,17 @@ inline Vec3d diffuse_albedo_of(const Vec3d& base_color, double metalness,
                                const Vec3d& reflectance) {
     return (1 - metalness) * base_color * (Vec3d(1) - reflectance);
 }
+
+/// What a surface does with light, per channel.
+struct SurfaceResponse {
+    Vec3d f0;
+    Vec3d compensation;    ///< of light that is reflected once, for later bounces
+    Vec3d reflectance;     ///< of uniform light, all bounces
+    Vec3d diffuse_albedo;  ///< of what lies below
+};
+
+/// `split_sum`: as the table holds it for the view and the roughness.
+SurfaceResponse response_of(const Vec3d& base_color, double metalness, const SplitSum& split_sum);
 
 /// Radiance towards the viewer under an environment: `specular_light` as the specular cubemap holds
 /// it, `irradiance_over_pi` as the irradiance cubemap or the harmonics hold it.
