@@ -53,7 +53,7 @@ TEST(AreaLightGlsl, CarriesDirectionsAndReflects) {
                  .body = "answer.xyz = splitsum_ltc_inverse(asked(0)) * asked(2).xyz;\n"
                          "answer.w = splitsum_ltc_reflectance(vec3(asked(2).w), asked(1)).y;",
                  .inputs = {layer0, layer1, direction}},
-                1e-3, [&](size_t i) {
+                few_roundings, [&](size_t i) {
                     const std::array<double, 6> read = {double(layer0[i][0]), double(layer0[i][1]),
                                                         double(layer0[i][2]), double(layer0[i][3]),
                                                         double(layer1[i][0]), double(layer1[i][1])};
@@ -116,7 +116,7 @@ Table ltc_table(const TablePlan& plan) {
     return arranged(*kind.bake(plan, grid_of(plan, kind.view_axis), progress), plan);
 }
 
-// Diffuse and specular light through the real table, with the sampler that reads it.
+// Diffuse and specular light through the real table, with the sampler that reads it. Measured: 8.7e-5.
 TEST(AreaLightGlsl, ShadesFlatLights) {
     const Scenes scenes;
     TablePlan plan = default_plan(*kind_of({.kind = "ltc-ggx"}));
@@ -140,7 +140,7 @@ TEST(AreaLightGlsl, ShadesFlatLights) {
         .declarations = "uniform SPLITSUM_TABLE_ARRAY tables;",
         .set_up = [&](Program& program) { program.set_table("tables", table); }};
     size_t lit = 0;
-    expect_twin(question, 1e-3, [&](size_t i) {
+    expect_twin(question, 3e-4, [&](size_t i) {
         const Vec3d n = scenes.normal(i), v = scenes.view(i);
         std::array<double, 8> read{};
         read_bilinear(table,

@@ -18,7 +18,7 @@ TEST(ClothGlsl, ReflectsAndLeavesTheRest) {
                          "answer.xyz = splitsum_cloth_reflectance(asked(0).xyz, albedo);\n"
                          "answer.w = splitsum_below_cloth(asked(0).xyz, albedo);",
                  .inputs = {colors}},
-                1e-3, [](size_t i) {
+                few_roundings, [](size_t i) {
                     const double albedo = 4 * static_cast<double>(colors[i][3]);
                     return answer_of(cloth_reflectance(vec3d(colors[i]), albedo),
                                      below_cloth(vec3d(colors[i]), albedo));

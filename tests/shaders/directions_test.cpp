@@ -30,7 +30,7 @@ TEST(DirectionsGlsl, TurnsTheEnvironment) {
         {.includes = {"directions"},
          .body = "answer.xyz = splitsum_turned_environment(asked(0).xyz, asked(0).w);",
          .inputs = {directions_and_turns}},
-        1e-3, [](size_t i) {
+        few_roundings, [](size_t i) {
             const Float4& asked = directions_and_turns[i];
             return answer_of(turned_environment(vec3d(asked), static_cast<double>(asked[3])));
         });

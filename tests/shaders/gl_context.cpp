@@ -20,6 +20,7 @@ constexpr GLenum seamless_cubemaps = 0x884F;  // GL_TEXTURE_CUBE_MAP_SEAMLESS; E
 
 EGLDisplay open_display() {
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);  // it would lie in the home folder
     const EGLDisplay display =
         eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr))

@@ -34,7 +34,7 @@ TEST(IrradianceGlsl, SumsTheHarmonicsOfEveryOrder) {
                      .declarations = cat("layout(std140) uniform Harmonics { vec3 harmonics[",
                                          harmonic_count(order), "]; };"),
                      .set_up = [&](Program& program) { program.set_block("Harmonics", block); }},
-                    1e-3, [&](size_t i) {
+                    few_roundings, [&](size_t i) {
                         return answer_of(evaluate(harmonics, normalize(vec3d(normals[i]))));
                     });
     }

@@ -16,6 +16,7 @@ const std::vector<Float4> roughness = items(5000, [](uint32_t i) {
 
 double roughness_of(size_t i) { return static_cast<double>(roughness[i][0]); }
 
+// The square root of what is left to roughness 1 has half of the digits there. Measured: 5e-5.
 void expect_curve(const std::string& name, RoughnessCurve::Kind kind) {
     const RoughnessCurve curve{kind, {}};
     for (const int levels : {1, 2, 7, 14}) {
@@ -26,7 +27,7 @@ void expect_curve(const std::string& name, RoughnessCurve::Kind kind) {
                                  "(level, ", last, ");\nanswer.z = splitsum_roughness_", name,
                                  "(float(int(gl_FragCoord.x) % ", levels, "), ", last, ");"),
                      .inputs = {roughness}},
-                    1e-3, [&](size_t i) {
+                    2e-4, [&](size_t i) {
                         const double r = std::clamp(roughness_of(i), 0.0, 1.0);
                         const auto of_levels = roughness_of_levels(curve, levels);
                         return Answer{level_of_roughness(curve, levels, roughness_of(i)),
@@ -60,7 +61,7 @@ TEST(LevelsGlsl, FindsTheLevelsOfLists) {
              .inputs = {roughness},
              .declarations = "layout(std140) uniform List { vec4 list[4]; };",
              .set_up = [&](Program& program) { program.set_block("List", block); }},
-            1e-3, [&](size_t i) {
+            few_roundings, [&](size_t i) {
                 return Answer{level_of_roughness(curve, levels, roughness_of(i)), 0, 0, 0};
             });
     }

@@ -26,13 +26,13 @@ TEST(SurfaceGlsl, KnowsReflectanceAndAlbedo) {
     expect_twin({.includes = {"surface"},
                  .body = "answer.xyz = splitsum_f0(asked(0).xyz, asked(0).w);",
                  .inputs = {materials}},
-                1e-3,
+                few_roundings,
                 [&](size_t i) { return answer_of(f0_of(vec3d(materials[i]), metalness(i))); });
     expect_twin({.includes = {"surface"},
                  .body = "answer.xyz = splitsum_diffuse_albedo(asked(0).xyz, asked(0).w, "
                          "asked(1).xyz);",
                  .inputs = {materials, reflectances}},
-                1e-3, [&](size_t i) {
+                few_roundings, [&](size_t i) {
                     return answer_of(diffuse_albedo_of(vec3d(materials[i]), metalness(i),
                                                        vec3d(reflectances[i])));
                 });
@@ -44,7 +44,7 @@ TEST(SurfaceGlsl, AddsBothKindsOfLight) {
          .body = "answer.xyz = splitsum_image_based_light(asked(0).xyz, asked(1).xyz, "
                  "asked(2).xyz, asked(3).xyz);",
          .inputs = {specular, diffuse, reflectances, materials}},
-        1e-3, [](size_t i) {
+        few_roundings, [](size_t i) {
             return answer_of(image_based_light(vec3d(specular[i]), vec3d(diffuse[i]),
                                                vec3d(reflectances[i]), vec3d(materials[i])));
         });

@@ -36,6 +36,9 @@ struct Worst {
 Worst worst_difference(const std::vector<Float4>& answers,
                        const std::function<Answer(size_t item)>& twin);
 
+/// The limit where no digits cancel. Measured: 4e-7 at most.
+inline constexpr double few_roundings = 2e-6;
+
 /// Runs the shader in both languages and compares with the twin at every item.
 void expect_twin(const Question& question, double limit,
                  const std::function<Answer(size_t item)>& twin);
