@@ -110,6 +110,21 @@ struct Scenes {
     }
 };
 
+// Not along the normal, where any frame will do.
+TEST(AreaLightGlsl, HasTheFrameOfTheLibrary) {
+    const auto normals = items(count, [](uint32_t i) { return float4(random_direction(i)); });
+    const auto views =
+        items(count, [](uint32_t i) { return float4(random_direction(50'000 + i)); });
+    const Vec3d carried(0.3, -0.5, 0.8);
+    expect_twin({.includes = {"area_light"},
+                 .body = "answer.xyz = splitsum_light_frame(asked(0).xyz, asked(1).xyz) * "
+                         "vec3(0.3, -0.5, 0.8);",
+                 .inputs = {normals, views}},
+                1e-4, [&](size_t i) {
+                    return answer_of(light_frame(vec3d(normals[i]), vec3d(views[i])) * carried);
+                });
+}
+
 Table ltc_table(const TablePlan& plan) {
     NoProgress progress;
     const TableKind kind = *kind_of(plan);
