@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "splitsum/base/text.h"
 #include "support/run_program.h"
 #include "support/temporary_folder.h"
 
@@ -64,7 +66,7 @@ std::vector<std::filesystem::path> translations(const std::string& folder,
     for (const auto& shader : files_in(sources / "runtime"))
         if (shader.extension() != ".glsl")
             files.push_back(built / folder / (shader.filename().string() + ending));
-    EXPECT_GE(files.size(), 5u);
+    EXPECT_GE(files.size(), 6u);
     for (const auto& file : files) EXPECT_FALSE(bytes_of(file).empty()) << file;
     return files;
 }
@@ -89,6 +91,32 @@ TEST(RuntimeShaders, AreHlslThatGlslangReads) {
                         shader.string()});
         expect_success({"spirv-val", "--target-env", "vulkan1.0", binary});
     }
+}
+
+// The names of the functions that an include defines: "<type> splitsum_...(" from a line's start.
+std::vector<std::string> functions_of(const std::filesystem::path& include) {
+    std::istringstream text(bytes_of(include));
+    std::vector<std::string> names;
+    for (std::string line; std::getline(text, line);) {
+        const size_t name = line.find(' ') + 1, parameters = line.find('(');
+        if (line.starts_with("#") || line.compare(name, 9, "splitsum_") != 0) continue;
+        if (parameters != std::string::npos && line.find('=') == std::string::npos)
+            names.push_back(line.substr(name, parameters - name));
+    }
+    return names;
+}
+
+TEST(Translations, HoldEveryFunctionOfTheLibrary) {
+    const std::string hlsl = bytes_of(built / "hlsl/every_function.frag.hlsl");
+    const std::string metal = bytes_of(built / "msl/every_function.frag.metal");
+    size_t count = 0;
+    for (const auto& include : files_in(built / "include"))
+        for (const std::string& function : functions_of(include)) {
+            ++count;
+            EXPECT_NE(hlsl.find(cat(" ", function, "(")), std::string::npos) << function;
+            EXPECT_NE(metal.find(cat(" ", function, "(")), std::string::npos) << function;
+        }
+    EXPECT_GT(count, 49u);
 }
 
 TEST(RuntimeShaders, AreWrittenAsMetal) {

@@ -41,11 +41,15 @@ for (const name of shaders.filter(name => name.includes('.frag.')))
         }));
     });
 
-test('there are all of them', () => assert.equal(shaders.length, 5));
+test('there are all of them', () => assert.equal(shaders.length, 6));
 
-test('functions keep their names', () => {
-    const text = readFileSync(`${folder}/image_based_light.frag.wgsl`, 'utf8');
-    assert.match(text, /fn splitsum_specular_light\(/);
+test('functions keep their names, and all of the library is there', () => {
+    const text = readFileSync(`${folder}/every_function.frag.wgsl`, 'utf8');
+    const includes = readdirSync(`${folder}/../include`).map(
+        name => readFileSync(`${folder}/../include/${name}`, 'utf8'));
+    const functions = [...includes.join('\n').matchAll(/\n(?:float|bool|vec\d|mat3) (splitsum_\w+)\(/g)];
+    assert.ok(functions.length > 45);
+    for (const [, name] of functions) assert.match(text, new RegExp(`fn ${name}\\(`));
 });
 
 test('an error is noticed', async () => {
