@@ -99,7 +99,7 @@ std::vector<std::string> functions_of(const std::filesystem::path& include) {
     std::vector<std::string> names;
     for (std::string line; std::getline(text, line);) {
         const size_t name = line.find(' ') + 1, parameters = line.find('(');
-        if (line.starts_with("#") || line.compare(name, 9, "splitsum_") != 0) continue;
+        if (line.starts_with("//") || line.compare(name, 9, "splitsum_") != 0) continue;
         if (parameters != std::string::npos && line.find('=') == std::string::npos)
             names.push_back(line.substr(name, parameters - name));
     }
@@ -116,7 +116,7 @@ TEST(Translations, HoldEveryFunctionOfTheLibrary) {
             EXPECT_NE(hlsl.find(cat(" ", function, "(")), std::string::npos) << function;
             EXPECT_NE(metal.find(cat(" ", function, "(")), std::string::npos) << function;
         }
-    EXPECT_GT(count, 49u);
+    EXPECT_GT(count, 45u);
 }
 
 TEST(RuntimeShaders, AreWrittenAsMetal) {
