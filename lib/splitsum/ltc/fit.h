@@ -7,7 +7,7 @@ namespace splitsum {
 
 /// How finely a fit looks. The defaults are what the stated figures were measured with.
 struct LtcFitPlan {
-    int nodes = 14;          ///< along each side of the two squares that directions come from
+    int nodes = 16;          ///< along each side of the two squares that directions come from
     int rounds = 1;          ///< how often directions are placed anew around the lobe so far
     int steps = 12;          ///< at most, of Levenberg-Marquardt in each round
     double accuracy = 1e-5;  ///< a round ends with a step below this, in units of the parameters
