@@ -3,6 +3,7 @@
 #include "interface.glsl"
 #include "splitsum_area_light.glsl"
 #include "splitsum_cloth.glsl"
+#include "splitsum_diffuse.glsl"
 #include "splitsum_direct_light.glsl"
 #include "splitsum_directions.glsl"
 #include "splitsum_ggx_fit.glsl"
@@ -60,7 +61,9 @@ vec3 surfaces(vec3 color) {
     vec3 reflectance = split_sum(splitsum_f0(color, given.x));
     vec3 albedo = splitsum_diffuse_albedo(color, given.x, reflectance);
     return splitsum_image_based_light(color, color, reflectance, albedo) +
-           splitsum_cloth_reflectance(color, given.x) + splitsum_below_cloth(color, given.y);
+           splitsum_cloth_reflectance(color, given.x) + splitsum_below_cloth(color, given.y) +
+           splitsum_diffuse_reflectance(color, given.x) +
+           splitsum_diffuse_reflectance_bounded(color, given.y);
 }
 
 vec3 direct_light(vec3 n, vec3 v, vec3 l) {
