@@ -66,7 +66,7 @@ Result<BakedTable> write_table(const BatchOptions& options, const fs::path& fold
     const auto asset = bake_table(plan, *table_format(plan), progress);
     if (!asset) return asset.error();
     const fs::path path = folder / "brdf.ktx2";
-    if (const Status written = write_texture(asset->texture, path, options.encoding.container());
+    if (const Status written = write_texture(asset->texture, path, options.asset.encoding.container());
         !written)
         return written.error();
     return BakedTable{path, asset->check.at_texels};
@@ -140,7 +140,7 @@ private:
 Result<BakeReport> bake_file(const std::string& file, const BatchOptions& options,
                              const BakePlan& plan, const std::shared_ptr<FilterTables>& tables,
                              const fs::path& folder, Progress& progress) {
-    const auto light = load_light(file, options.input.plan(), light_use(plan, tables), progress);
+    const auto light = load_light(file, options.asset.reading.plan(), light_use(plan, tables), progress);
     if (!light) return light.error();
     return bake(*light, plan, folder, progress);
 }
@@ -148,34 +148,21 @@ Result<BakeReport> bake_file(const std::string& file, const BatchOptions& option
 }  // namespace
 
 BatchOptions::BatchOptions(CLI::App& app)
-    : input(app, InputOptions::Count::many),
-      output(app, "DIR", "the folder of the results, made if it is missing"),
-      specular(app),
-      irradiance(app, "irradiance-"),
+    : output(app, "DIR", "the folder of the results, made if it is missing"),
+      asset(app),
       table(app, "table-"),
-      orientation(app),
-      filter(app, methods_for(LobeKind::ggx)),
-      encoding(app, EncodingOptions::Content::cubemap),
-      verify(app),
       json(app) {
-    app.add_flag("--no-picture", no_picture, "do not write the picture contact.png");
-}
-
-Result<BakePlan> BatchOptions::plan() const {
-    const auto chain = specular.plan();
-    if (!chain) return chain.error();
-    const BakePlan plan{*chain,           irradiance.plan,   filter.plan,
-                        orientation.plan, encoding.format(), encoding.container(),
-                        verify.probes(),  !no_picture};
-    if (const Status valid = validate(plan); !valid) return valid.error();
-    return plan;
+    app.add_option("PANORAMA", panoramas, "a 2:1 lat-long image: .exr, .hdr, .tif, .pfm, ...")
+        ->option_text("...")
+        ->required()
+        ->check(not_empty());
 }
 
 Result<ExitCode> run_batch(const BatchOptions& options, Progress& progress) {
-    const auto plan = options.plan();
+    const auto plan = options.asset.plan();
     if (!plan) return plan.error();
     if (const auto format = table_format(options.table.plan()); !format) return format.error();
-    const std::vector<std::string>& panoramas = options.input.panoramas;
+    const std::vector<std::string>& panoramas = options.panoramas;
     if (const Status distinct = check_names(panoramas); !distinct) return distinct.error();
     const fs::path folder = options.output.path();
     // Asked before the work; what was made for the question goes again.

@@ -4,8 +4,7 @@
 
 #include "common/exit_code.h"
 #include "common/options.h"
-#include "light/verify_options.h"
-#include "splitsum/bake/bake.h"
+#include "plan_options.h"
 
 namespace splitsum::tools {
 
@@ -14,20 +13,11 @@ struct BatchOptions {
     explicit BatchOptions(CLI::App& app);
     BatchOptions(const BatchOptions&) = delete;
 
-    /// Fails with bad_argument.
-    Result<BakePlan> plan() const;
-
-    InputOptions input;
+    std::vector<std::string> panoramas;
     OutputOptions output;
-    SpecularOptions specular;
-    IrradianceOptions irradiance;
+    PlanOptions asset;
     TableOptions table;
-    OrientationOptions orientation;
-    FilterOptions filter;
-    EncodingOptions encoding;
-    VerifyOptions verify;
     JsonOption json;
-    bool no_picture = false;
 };
 
 /// Bakes the table and every panorama and prints where the results are. A panorama that fails fails
