@@ -33,7 +33,7 @@ TEST(CertificateCheck, NoticesABitAKeyAndAMissingLevel) {
     EXPECT_FALSE(broken_certificate(bit).empty());
 
     TextureAsset key = certified_chain();
-    key.metadata["splitsum.exposure_stops"] = "1";
+    key.metadata["splitsum.exposure_stops"] = "1.5";
     EXPECT_FALSE(broken_certificate(key).empty());
 
     TextureAsset level = certified_chain();
