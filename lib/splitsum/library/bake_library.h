@@ -91,9 +91,6 @@ struct LibrarySummary {
 Result<LibrarySummary> bake_library(std::span<const LibraryJob> jobs, const LibraryRun& run,
                                     LibraryObserver& observer, Progress& progress);
 
-/// The sizes, in pixels, of the jobs' panoramas, read from their headers; 0 where that fails.
-std::vector<int64_t> pixels_of(std::span<const LibraryJob> jobs);
-
 /// The jobs of a shard, in the order of the list. Fails with bad_argument for a shard that is none.
 Result<std::vector<size_t>> jobs_of(const Shard& shard, std::span<const LibraryJob> jobs);
 
