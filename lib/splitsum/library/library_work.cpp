@@ -7,7 +7,6 @@
 #include "splitsum/base/text.h"
 #include "splitsum/library/freshness.h"
 #include "splitsum/library/library_work_detail.h"
-#include "splitsum/library/memory_of_bake.h"
 #include "splitsum/library/stopwatch.h"
 
 namespace splitsum {
@@ -87,7 +86,6 @@ std::vector<Job> LibraryWork::schedule(const std::vector<LibraryItem*>& stale) {
         const auto size = panorama_size(job.panorama.file, job.reading);
         if (!size) return settle(*stale[i], size.error());
         pixels[i] = splitsum::pixels_of(*size);
-        bytes[i] = memory_of_bake(*size, job.plan, run_.threads);
         if (const Status fits = check_memory(*stale[i], bytes[i]); !fits) settle(*stale[i], fits);
     });
     std::vector<Job> work;
