@@ -99,6 +99,8 @@ BakeOptions::BakeOptions(CLI::App& app)
       asset(app),
       table((under_heading(app, "What is made of a panorama"), app), "table-") {
     under_heading(app, "The table");
+    // A manifest may name it as well.
+    app.get_option("--output")->required(false);
 }
 
 }  // namespace splitsum::tools

@@ -19,7 +19,9 @@ struct JobList {
 };
 
 /// The panoramas of the command line, or of the manifest that it names, each with the options that
-/// hold for it. Fails with bad_argument or unreadable_input before anything is baked.
-Result<JobList> list_jobs(const BakeOptions& options);
+/// hold for it. `app` has parsed the command line into `options`; what a manifest says for the whole
+/// run goes into them too. Fails, before anything is baked, with bad_argument, unreadable_input or
+/// unusable_input.
+Result<JobList> list_jobs(CLI::App& app, const BakeOptions& options);
 
 }  // namespace splitsum::tools

@@ -7,23 +7,19 @@
 #include "splitsum/library/stopwatch.h"
 
 namespace splitsum {
-namespace {
-
-Status check_all(std::span<const LibraryJob> jobs, const LibraryRun& run) {
+Status validate(std::span<const LibraryJob> jobs, const LibraryTable& table) {
     std::vector<ListedPanorama> panoramas;
     for (const LibraryJob& job : jobs) panoramas.push_back(job.panorama);
     if (const Status distinct = check_names(panoramas); !distinct) return distinct;
     for (const LibraryJob& job : jobs)
         if (const Status valid = validate(job.plan); !valid) return valid;
-    return validate(run.table);
+    return validate(table);
 }
-
-}  // namespace
 
 Result<LibrarySummary> bake_library(std::span<const LibraryJob> jobs, const LibraryRun& run,
                                     LibraryObserver& observer, Progress& progress) {
     const Stopwatch stopwatch;
-    if (const Status valid = check_all(jobs, run); !valid) return valid.error();
+    if (const Status valid = validate(jobs, run.table); !valid) return valid.error();
     const auto shard = jobs_of(run.shard, jobs);
     if (!shard) return shard.error();
     if (!run.dry_run) {

@@ -91,6 +91,10 @@ struct LibrarySummary {
 Result<LibrarySummary> bake_library(std::span<const LibraryJob> jobs, const LibraryRun& run,
                                     LibraryObserver& observer, Progress& progress);
 
+/// Whether the results of all jobs can lie in one folder, and every plan and the table can work.
+/// Fails with bad_argument.
+Status validate(std::span<const LibraryJob> jobs, const LibraryTable& table);
+
 /// The jobs of a shard, in the order of the list. Fails with bad_argument for a shard that is none.
 Result<std::vector<size_t>> jobs_of(const Shard& shard, std::span<const LibraryJob> jobs);
 
