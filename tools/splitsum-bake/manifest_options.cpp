@@ -13,8 +13,8 @@ namespace {
 
 // What to do, for whom, and what chooses among panoramas is said with each call.
 constexpr std::array command_line_options = {
-    "help",    "version", "quiet", "json",    "manifest", "include",
-    "exclude", "shard",   "force", "dry-run", "merge",    "events",
+    "help",  "version", "quiet", "json",    "manifest", "include", "exclude",
+    "shard", "force",   "merge", "dry-run", "events",   "depfile", "depfile-target",
 };
 
 // An app of the options that manifests may set for each panorama, and of no others.
@@ -40,7 +40,8 @@ OptionType type_of(const CLI::Option& option) {
     const std::string type = option.get_type_name();
     if (type == "INT" || type == "UINT" || type == "FLOAT") return OptionType::number;
     const std::string placeholder = option.get_option_text();
-    if (placeholder == "FILE" || placeholder == "DIR") return OptionType::path;
+    if (placeholder == "FILE" || placeholder == "DIR" || placeholder == "FOLDER")
+        return OptionType::path;
     if (placeholder == "CURVE") return OptionType::number_list;
     if (placeholder == "NAME") return OptionType::text;
     return OptionType::number_or_text;

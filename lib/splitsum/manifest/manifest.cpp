@@ -231,10 +231,6 @@ void Reader::read_panoramas(const fs::path& file, const ManifestValue& root,
 
 }  // namespace
 
-std::string place_of(const Setting& setting) {
-    return cat(setting.file.string(), ":", setting.line);
-}
-
 std::string place_of(const ManifestPanorama& panorama) {
     return cat(panorama.manifest.string(), ":", panorama.line);
 }

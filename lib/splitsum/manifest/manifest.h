@@ -8,20 +8,9 @@
 
 #include "splitsum/base/result.h"
 #include "splitsum/manifest/known_option.h"
+#include "splitsum/manifest/setting.h"
 
 namespace splitsum {
-
-/// An option and its value, and where a manifest gives it.
-struct Setting {
-    std::string option;  ///< the long name without dashes
-    std::string value;   ///< as typed behind "--option="; of a flag "true" or "false"
-    bool is_flag = false;
-    std::filesystem::path file;
-    int line = 0;  ///< from 1
-};
-
-/// "bake.toml:12".
-std::string place_of(const Setting& setting);
 
 /// One panorama, or a folder of them, and how to bake it.
 struct ManifestPanorama {
@@ -56,7 +45,7 @@ struct Manifest {
 /// that include each other in a circle or are included twice, two panoramas of one name, a
 /// manifest without panoramas.
 ///
-/// Cost: about 10 us a panorama.
+/// Cost: about 15 us a panorama.
 Result<Manifest> read_manifest(const std::filesystem::path& path,
                                std::span<const KnownOption> options);
 

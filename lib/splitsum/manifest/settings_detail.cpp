@@ -1,7 +1,6 @@
 #include "splitsum/manifest/settings_detail.h"
 
 #include <algorithm>
-#include <iterator>
 #include <optional>
 
 #include "splitsum/base/edit_distance.h"
@@ -119,16 +118,6 @@ std::string SettingReader::wrong_place(const KnownOption& option, Table table) c
                    " holds for the whole run, not for one panorama; move it to the "
                    "defaults");
     return "";
-}
-
-std::vector<Setting> overlaid(const std::vector<Setting>& above,
-                              const std::vector<Setting>& below) {
-    std::vector<Setting> both;
-    both.reserve(above.size() + below.size());
-    // Of equals set_union takes the first range's.
-    std::ranges::set_union(above, below, std::back_inserter(both), {}, &Setting::option,
-                           &Setting::option);
-    return both;
 }
 
 std::string no_such_key(const std::string& key, std::span<const std::string> names) {

@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "splitsum/manifest/manifest.h"
+#include "splitsum/manifest/known_option.h"
 #include "splitsum/manifest/problems_detail.h"
+#include "splitsum/manifest/setting.h"
 #include "splitsum/manifest/value_detail.h"
 
 namespace splitsum {
@@ -38,10 +39,6 @@ private:
     const std::filesystem::path& file_;
     Problems& problems_;
 };
-
-/// Both, in the order of their names; of an option that both have, that of `above`. Both must have
-/// each option once and be in that order.
-std::vector<Setting> overlaid(const std::vector<Setting>& above, const std::vector<Setting>& below);
 
 /// "there is no 'sise' here; did you mean size?", or what there is.
 std::string no_such_key(const std::string& key, std::span<const std::string> names);
