@@ -72,6 +72,18 @@ EffortOptions::EffortOptions(CLI::App& app) {
            "it is missing")
         ->option_text("FOLDER")
         ->check(not_empty());
+    app.add_option(
+           "--cache-size", cache_bytes,
+           cat("what the cache may hold; the results that were not used for longest go first "
+               "(default ",
+               byte_count_text(cache_bytes), ")"))
+        ->option_text(byte_count_name)
+        ->transform(byte_count(0, int64_t{1} << 50));
+    app.add_option("--memory", memory,
+                   "what the process may hold: as many panoramas at once as fit, at least 256M "
+                   "(default: no limit)")
+        ->option_text(byte_count_name)
+        ->transform(byte_count(int64_t{256} << 20, int64_t{1} << 50));
     merging->excludes(dry)->excludes("--force")->excludes("--cache")->excludes("--shard");
     under_heading(app, "What is done");
 }
