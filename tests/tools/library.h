@@ -36,8 +36,8 @@ inline void write_skies(const std::filesystem::path& folder, int count, int heig
 
 /// Options that make a bake as quick as it gets.
 inline std::vector<std::string> quick_options() {
-    return {"--size", "8", "--levels", "2", "--irradiance-size", "4", "--table-size", "8",
-            "--probes", "2", "--no-picture"};
+    return {"--size",       "8", "--levels", "2", "--irradiance-size", "4",
+            "--table-size", "8", "--probes", "2", "--no-picture"};
 }
 
 /// The arguments of such a bake.
@@ -46,8 +46,7 @@ inline std::vector<std::string> bake_arguments(std::vector<std::string> inputs,
                                                const std::vector<std::string>& options = {}) {
     std::vector<std::string> arguments = std::move(inputs);
     arguments.insert(arguments.end(), {"-o", output.string()});
-    for (const std::string& option : quick_options())
-        arguments.push_back(option);
+    for (const std::string& option : quick_options()) arguments.push_back(option);
     arguments.insert(arguments.end(), options.begin(), options.end());
     return arguments;
 }

@@ -138,8 +138,9 @@ TEST_F(LibraryParts, GoOnAfterAnInterruption) {
     const std::vector<std::string> options = {"--threads", "1", "--size", "32"};
     const std::string hdri = folder_ / "hdri";
     const auto run_in = [&](const std::string& output) {
-        std::vector<std::string> all = {hdri, "-o", folder_ / output, "--levels", "4",
-                                        "--table-size", "8", "--events", folder_ / "events"};
+        std::vector<std::string> all = {hdri,       "-o",       folder_ / output,
+                                        "--levels", "4",        "--table-size",
+                                        "8",        "--events", folder_ / "events"};
         all.insert(all.end(), options.begin(), options.end());
         return all;
     };

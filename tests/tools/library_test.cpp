@@ -92,10 +92,10 @@ TEST_F(Library, HasATableThatFitsItsOptions) {
     EXPECT_EQ(mended.exit_code, 0) << mended.err;
     EXPECT_EQ(bytes_of(folder_ / "out/brdf.ktx2"), eight);
 
-    const auto other = run_tool("splitsum-bake",
-                                {(folder_ / "hdri").string(), "-o", (folder_ / "out").string(),
-                                 "--size", "8", "--levels", "2", "--irradiance-size", "4",
-                                 "--probes", "2", "--no-picture", "--table-size", "16", "--json"});
+    const auto other = run_tool(
+        "splitsum-bake", {(folder_ / "hdri").string(), "-o", (folder_ / "out").string(), "--size",
+                          "8", "--levels", "2", "--irradiance-size", "4", "--probes", "2",
+                          "--no-picture", "--table-size", "16", "--json"});
     EXPECT_EQ(outcomes_in(other), (Outcomes{{"up_to_date", 4}}));
     EXPECT_EQ(nlohmann::json::parse(other.out)["table"]["outcome"], "baked");
     EXPECT_NE(bytes_of(folder_ / "out/brdf.ktx2"), eight);
@@ -111,8 +111,8 @@ TEST_F(Library, IsBakedAgainByForce) {
 TEST_F(Library, DryRunsWriteNothing) {
     const auto before = snapshot_of(folder_.path());
     const std::vector<std::string> options = {
-        "--dry-run", "--depfile", folder_ / "out.d", "--events", folder_ / "events", "--cache",
-        folder_ / "cache"};
+        "--dry-run",        "--depfile", folder_ / "out.d", "--events",
+        folder_ / "events", "--cache",   folder_ / "cache"};
     const auto run = bake(options);
     EXPECT_EQ(run.exit_code, 0) << run.err;
     EXPECT_NE(run.out.find("sky00/: would be baked: "), std::string::npos) << run.out;
