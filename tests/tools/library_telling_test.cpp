@@ -1,6 +1,7 @@
 // What splitsum-bake tells of a library: events, depfiles, and progress on terminals and in logs.
 #include <pty.h>
 
+#include <array>
 #include <fstream>
 #include <regex>
 
@@ -149,7 +150,7 @@ std::string shown_on_terminal(const std::vector<std::string>& arguments, unsigne
 
 TEST_F(Telling, ABarFollowsTheTerminal) {
     write_skies(folder_ / "hdri", 12, 64);
-    for (const unsigned short columns : {20, 50, 120}) {
+    for (const unsigned short columns : std::array<unsigned short, 3>{20, 50, 120}) {
         fs::remove_all(folder_ / "out");
         const std::string shown = shown_on_terminal(
             bake_arguments({folder_ / "hdri"}, folder_ / "out", {"--threads", "1"}), columns);

@@ -139,6 +139,7 @@ Result<ExitCode> run_library(const CLI::App& app, const BakeOptions& options, co
 
 Result<ExitCode> run_bake(CLI::App& app, const BakeOptions& options,
                           std::span<const std::string> command, Progress& terminal) {
+    if (const Status fit = check_together(options); !fit) return fit.error();
     const auto list = list_jobs(app, options);
     if (!list) return list.error();
     // A manifest may have set it after the program began.

@@ -3,6 +3,7 @@
 #include <new>
 
 #include "splitsum/base/parallel.h"
+#include "splitsum/base/staged_folder.h"
 #include "splitsum/base/temporary.h"
 #include "splitsum/base/text.h"
 #include "splitsum/library/freshness.h"
@@ -70,8 +71,13 @@ Status LibraryWork::bake_the_rest() {
     std::vector<LibraryItem*> stale;
     for (LibraryItem& item : items_)
         if (item.outcome == Outcome::not_begun) stale.push_back(&item);
+    if (stale.empty() || progress_.cancelled()) return ok;
+    // Asked before the work; what was made for the question goes again.
+    if (const auto possible = StagedFolder::create(run_.folder); !possible) {
+        progress_.stop(possible.error());
+        return ok;
+    }
     if (stale.size() == 1) progress_.show_stages();
-    if (progress_.cancelled()) return ok;
     const Status ran = run_jobs(schedule(stale), {run_.threads, memory_of_jobs()}, progress_);
     // What was interrupted is told by its items.
     return !ran && ran.error().kind != ErrorKind::interrupted ? ran : ok;
