@@ -12,7 +12,7 @@
 #include "library_progress.h"
 #include "library_results.h"
 #include "observer_list.h"
-#include "resident_memory.h"
+#include "process_memory.h"
 #include "run_merge.h"
 #include "splitsum/base/atomic_file.h"
 #include "splitsum/base/parallel.h"
@@ -28,7 +28,7 @@ LibraryRun library_run(const BakeOptions& options, const ContentCache* cache) {
     run.folder = options.output.path();
     run.table = {options.table.plan(), options.asset.encoding.container()};
     run.threads = ThreadLimit::in_force();
-    if (options.effort.memory) run.memory = *options.effort.memory - resident_memory();
+    if (options.effort.memory) run.memory = *options.effort.memory - resident_bytes();
     run.force = options.effort.force;
     run.dry_run = options.effort.dry_run;
     run.cache = cache;
