@@ -77,7 +77,8 @@ TEST_F(LibraryParts, MakeTheWhole) {
     for (const char* part : {"1/3", "2/3", "3/3"}) {
         const auto run = bake("parts", {"--shard", part, "--json"});
         ASSERT_EQ(run.exit_code, 0) << run.err;
-        for (const Json& panorama : Json::parse(run.out)["panoramas"])
+        const Json json = Json::parse(run.out);
+        for (const Json& panorama : json["panoramas"])
             sources.insert(std::string(panorama["source"]));
     }
     EXPECT_EQ(sources.size(), 8u);
@@ -147,9 +148,13 @@ TEST_F(LibraryParts, GoOnAfterAnInterruption) {
     ASSERT_EQ(run_tool("splitsum-bake", run_in("whole")).exit_code, 0);
     fs::remove(folder_ / "events");
 
-    auto command = run_in("out");
-    command.insert(command.begin(), std::string(SPLITSUM_BIN) + "/splitsum-bake");
-    command.push_back("--quiet");
+    std::vector<std::string> command = {"/bin/sh",
+                                        "-c",
+                                        R"(exec "$@" >/dev/null 2>&1)",
+                                        "sh",
+                                        std::string(SPLITSUM_BIN) + "/splitsum-bake",
+                                        "--quiet"};
+    for (const std::string& argument : run_in("out")) command.push_back(argument);
     Running baking(command);
     for (int wait = 0; events_named(folder_ / "events", "panorama_finished") < 3 && wait < 60'000;
          ++wait)

@@ -5,11 +5,19 @@
 namespace splitsum::tools {
 namespace {
 
+// Make would take these for something else, and Ninja does not know what would stop it.
+bool fits(const std::string& name) {
+    return name.find_first_of("\r\n\t;=") == std::string::npos &&
+           name.find("\\#") == std::string::npos && name.find("\\:") == std::string::npos;
+}
+
 Status check_names(std::span<const std::string> names) {
     for (const std::string& name : names)
-        if (name.find_first_of("\r\n") != std::string::npos)
+        if (!fits(name))
             return Error{ErrorKind::bad_argument,
-                         cat("'", name, "' has a line end in its name, which no depfile can hold")};
+                         cat("no depfile can hold the name '", name,
+                             "': it has a line end, a tab, ';', '=', or a backslash before '#' or "
+                             "':'; rename it, or do without --depfile")};
     return ok;
 }
 
@@ -19,9 +27,9 @@ std::string escaped_for_make(const std::string& name) {
     std::string escaped;
     size_t backslashes = 0;  // right before this letter
     for (const char letter : name) {
-        // Backslashes are letters of the name, but in front of what one of them would escape.
-        if (letter == ' ' || letter == '\t' || letter == '#')
-            escaped.append(letter == '#' ? 1 : backslashes + 1, '\\');
+        // Backslashes are letters of the name, but in front of a blank that one of them escapes.
+        if (letter == ' ') escaped.append(backslashes + 1, '\\');
+        if (letter == '#' || letter == ':') escaped += '\\';
         if (letter == '$') escaped += '$';
         escaped += letter;
         backslashes = letter == '\\' ? backslashes + 1 : 0;

@@ -12,11 +12,12 @@ namespace splitsum::tools {
 /// The text of a depfile: one rule, "targets: sources", as Make and Ninja read it. Behind it each
 /// source has an empty rule, so that Make rebuilds instead of failing once it is gone.
 ///
-/// Fails with bad_argument for a name that the format cannot hold: one with a line end.
+/// Fails with bad_argument for a name that both cannot read: with a line end, a tab, ';', '=', or a
+/// backslash before '#' or ':'.
 Result<std::string> depfile_text(std::span<const std::string> targets,
                                  std::span<const std::string> sources);
 
-/// A name as it stands there: blanks, '#' and '$' are escaped.
+/// A name as it stands there: blanks, '#', ':' and '$' are escaped.
 std::string escaped_for_make(const std::string& name);
 
 }  // namespace splitsum::tools

@@ -21,12 +21,11 @@ void add_source(const fs::path& source, JobList& list) {
 void add_folders(const fs::path& input, std::span<const ListedPanorama> panoramas, JobList& list) {
     std::error_code failure;
     if (!fs::is_directory(input, failure)) return;
-    const fs::path top = input / "";  // as files found in it begin
-    std::set<fs::path> folders = {input};
+    const fs::path top = (input / "").parent_path();  // as files found in it begin
+    std::set<fs::path> folders = {top};
     for (const ListedPanorama& panorama : panoramas) {
-        const auto [in_top, rest] = std::ranges::mismatch(top.parent_path(), panorama.file);
-        if (in_top != top.parent_path().end()) continue;
-        for (fs::path folder = panorama.file.parent_path(); folder != top.parent_path();
+        if (std::ranges::mismatch(top, panorama.file).in1 != top.end()) continue;
+        for (fs::path folder = panorama.file.parent_path(); folder != top;
              folder = folder.parent_path())
             folders.insert(folder);
     }

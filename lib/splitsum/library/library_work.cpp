@@ -71,7 +71,11 @@ Status LibraryWork::bake_the_rest() {
     std::vector<LibraryItem*> stale;
     for (LibraryItem& item : items_)
         if (item.outcome == Outcome::not_begun) stale.push_back(&item);
-    if (stale.empty() || progress_.cancelled()) return ok;
+    if (progress_.cancelled()) return ok;
+    if (stale.empty()) {
+        observer_.planned({}, {});
+        return ok;
+    }
     // Asked before the work; what was made for the question goes again.
     if (const auto possible = StagedFolder::create(run_.folder); !possible) {
         progress_.stop(possible.error());
