@@ -1,14 +1,23 @@
 #include "depfile.h"
 
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
 #include "splitsum/base/text.h"
 
 namespace splitsum::tools {
 namespace {
 
-// Make would take these for something else, and Ninja does not know what would stop it.
+// What is left, Make or Ninja would take for something else.
 bool fits(const std::string& name) {
-    return name.find_first_of("\r\n\t;=") == std::string::npos &&
-           name.find("\\#") == std::string::npos && name.find("\\:") == std::string::npos;
+    const auto is_readable = [](char letter) {
+        const auto byte = static_cast<unsigned char>(letter);
+        return byte >= 0x80 || std::isalnum(byte) ||
+               std::string_view(" #$:\\+,/_.~(){}%@[]!-").find(letter) != std::string_view::npos;
+    };
+    return std::ranges::all_of(name, is_readable) && name.find("\\#") == std::string::npos &&
+           name.find("\\:") == std::string::npos;
 }
 
 Status check_names(std::span<const std::string> names) {
@@ -16,8 +25,9 @@ Status check_names(std::span<const std::string> names) {
         if (!fits(name))
             return Error{ErrorKind::bad_argument,
                          cat("no depfile can hold the name '", name,
-                             "': it has a line end, a tab, ';', '=', or a backslash before '#' or "
-                             "':'; rename it, or do without --depfile")};
+                             "' so that Make and Ninja both read it; rename it (letters, digits, "
+                             "blanks and any of #$:\\+,/_.~(){}%@[]!- work), or do without "
+                             "--depfile")};
     return ok;
 }
 

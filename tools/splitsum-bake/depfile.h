@@ -12,8 +12,8 @@ namespace splitsum::tools {
 /// The text of a depfile: one rule, "targets: sources", as Make and Ninja read it. Behind it each
 /// source has an empty rule, so that Make rebuilds instead of failing once it is gone.
 ///
-/// Fails with bad_argument for a name that both cannot read: with a line end, a tab, ';', '=', or a
-/// backslash before '#' or ':'.
+/// Fails with bad_argument for a name that not both can read: with control characters, quotes, or one
+/// of &^*?<>|`;= in it, or a backslash before '#' or ':'.
 Result<std::string> depfile_text(std::span<const std::string> targets,
                                  std::span<const std::string> sources);
 
