@@ -8,6 +8,7 @@
 #include <string>
 
 #include "splitsum/base/atomic_file.h"
+#include "splitsum/base/temporary.h"
 #include "splitsum/base/text.h"
 
 namespace splitsum {
@@ -37,9 +38,7 @@ Tag tag_in(const Descriptor& root) {
 
 // Another process may be about to make the same cache.
 bool is_empty(const Descriptor& root) {
-    return std::ranges::all_of(names_in(root), [](const std::string& name) {
-        return name.starts_with(tag_name) && name.ends_with(".part");
-    });
+    return std::ranges::all_of(names_in(root), is_temporary_name);
 }
 
 Error refusal(const fs::path& folder, Tag tag) {
