@@ -36,27 +36,31 @@ function(splitsum_bake target)
     set(manifest --manifest ${bake_MANIFEST})
   endif()
 
-  # The stamp says when the library was complete: results that were up to date keep their times. Make
-  # does not notice another command line, so the options are a file that the command depends on.
-  set(notes ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.splitsum)
-  file(MAKE_DIRECTORY ${notes})
-  file(GENERATE OUTPUT ${notes}/options CONTENT "${inputs}\n${bake_OPTIONS}\n")
-  splitsum_bake_byproducts(byproducts "${files}" ${bake_OUTPUT})
-  add_custom_command(
-      OUTPUT ${notes}/stamp
-      BYPRODUCTS ${byproducts}
-      COMMAND splitsum::splitsum-bake ${inputs} ${manifest} -o ${bake_OUTPUT} ${bake_OPTIONS} --quiet
-              --depfile ${notes}/depfile --depfile-target ${notes}/stamp
-      COMMAND ${CMAKE_COMMAND} -E touch ${notes}/stamp
-      DEPENDS ${files} ${bake_MANIFEST} ${notes}/options $<TARGET_FILE:splitsum::splitsum-bake>
-      DEPFILE ${notes}/depfile
-      COMMENT "Baking ${target}" VERBATIM COMMAND_EXPAND_LISTS)
-
   set(all)
   if(bake_ALL)
     set(all ALL)
   endif()
-  add_custom_target(${target} ${all} DEPENDS ${notes}/stamp)
+  set(bake splitsum::splitsum-bake ${inputs} ${manifest} -o ${bake_OUTPUT} ${bake_OPTIONS} --quiet)
+  splitsum_bake_byproducts(byproducts "${files}" ${bake_OUTPUT})
+  if(CMAKE_GENERATOR MATCHES "Ninja")
+    # The stamp says when the library was complete: results that were up to date keep their times.
+    set(notes ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.splitsum)
+    file(MAKE_DIRECTORY ${notes})
+    add_custom_command(
+        OUTPUT ${notes}/stamp
+        BYPRODUCTS ${byproducts}
+        COMMAND ${bake} --depfile ${notes}/depfile --depfile-target ${notes}/stamp
+        COMMAND ${CMAKE_COMMAND} -E touch ${notes}/stamp
+        DEPENDS ${files} ${bake_MANIFEST} $<TARGET_FILE:splitsum::splitsum-bake>
+        DEPFILE ${notes}/depfile
+        COMMENT "Baking ${target}" VERBATIM)
+    add_custom_target(${target} ${all} DEPENDS ${notes}/stamp)
+  else()
+    # CMake never takes what a depfile has named out of a makefile again, so that a panorama that is
+    # gone would run the command for ever. The program finds what is to do in a moment by itself.
+    add_custom_target(${target} ${all} COMMAND ${bake} BYPRODUCTS ${byproducts}
+                      COMMENT "Baking what has changed of ${target}" VERBATIM)
+  endif()
   set_target_properties(${target} PROPERTIES SPLITSUM_OUTPUT ${bake_OUTPUT})
 endfunction()
 
