@@ -1,8 +1,8 @@
 """A Slurm of its own on the loopback interface: munged, slurmctld and two slurmd, as the current
 user, with every file in one temporary folder and ports that were free."""
 
-import getpass
 import os
+import pwd
 import re
 import shutil
 import socket
@@ -127,7 +127,7 @@ class SlurmCluster:
 
     def _write_configuration(self) -> None:
         ports = free_ports(1 + len(NODES))
-        text = CONFIGURATION.format(folder=self.folder, user=getpass.getuser(),
+        text = CONFIGURATION.format(folder=self.folder, user=pwd.getpwuid(os.getuid()).pw_name,
                                     controller_port=ports[0])
         for name, port in zip(NODES, ports[1:]):
             text += NODE.format(name=name, port=port)
