@@ -13,7 +13,6 @@ from pathlib import Path
 from children import Children, command_of, descendants, end, environment_of
 
 NODES = ("near", "far")
-PROGRAMS = ("munged", "slurmctld", "slurmd", "sbatch", "squeue", "scontrol", "sinfo")
 
 # A dead node is noticed after seconds, and its tasks may start again as soon: cred_expire is also how
 # long Slurm holds back a task that it has requeued, two minutes unless told otherwise.
