@@ -23,21 +23,6 @@ std::string parse_failure(std::vector<std::string> arguments, const Parse& parse
     return "";
 }
 
-TEST(EditDistance, IsAMetricOnWords) {
-    EXPECT_EQ(edit_distance("--size", "--size"), 0u);
-    EXPECT_EQ(edit_distance("--sise", "--size"), 1u);
-    EXPECT_EQ(edit_distance("kitten", "sitting"), 3u);
-    EXPECT_EQ(edit_distance("", "abc"), 3u);
-    EXPECT_EQ(edit_distance("abc", ""), 3u);
-    const char* words[] = {"--size", "--samples", "--seed", "-o", "--method"};
-    for (const char* a : words)
-        for (const char* b : words) {
-            EXPECT_EQ(edit_distance(a, b), edit_distance(b, a));
-            for (const char* c : words)
-                EXPECT_LE(edit_distance(a, c), edit_distance(a, b) + edit_distance(b, c));
-        }
-}
-
 TEST(WholeNumber, TakesWholeNumbersInItsRangeOnly) {
     const CLI::Validator validator = whole_number(-2, 8192);
     for (std::string text : {"-2", "0", "+7", "8192", "007"})

@@ -61,6 +61,7 @@ Result<Light> stream(const std::filesystem::path& path, const PanoramaOptions& o
         light.mirrors.push_back(std::move(mirror).finish());
     light.exact = std::move(builders->exact).finish();
     light.source = source_facts(*panorama);
+    light.reading = panorama->reading;
     light.width = 2 * height;
     light.height = height;
     light.notes = panorama->notes;
@@ -125,6 +126,7 @@ Result<std::vector<ExactTexels>> exact_texels(const Light& light, const LevelsPl
 Light light_of(const Panorama& panorama, std::shared_ptr<FilterTables> tables) {
     Light light{Environment(panorama.pixels), std::move(tables)};
     light.source = source_facts(panorama);
+    light.reading = panorama.reading;
     light.width = panorama.pixels.width;
     light.height = panorama.pixels.height;
     light.notes = panorama.notes;

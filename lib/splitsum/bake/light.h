@@ -27,7 +27,8 @@ struct Light {
     std::vector<ExactTexels> exact{};
 
     SourceFacts source{};
-    int width = 0;  ///< of the panorama
+    PanoramaOptions reading{};  ///< how the panorama was read
+    int width = 0;              ///< of the panorama
     int height = 0;
     std::vector<std::string> notes{};
 

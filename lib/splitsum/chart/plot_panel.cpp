@@ -132,7 +132,8 @@ void draw_panel(std::ostream& out, const Chart& chart, size_t index, PanelDetail
 void draw_legend(std::ostream& out, const Chart& chart) {
     out << "unset title\nunset xlabel\nunset ylabel\nunset arrow\nunset tics\nunset border\n"
            "unset grid\nset xrange [1:10]\nset yrange [1:10]\n"
-           "set key center center maxcols 4 noenhanced samplen 4 width 2 font ',13'\n"
+           "set key default\nset key center center maxcols 4 noenhanced samplen 4 width 2 font "
+           "',13'\n"
         << "plot NaN " << front_style << " title 'nothing beats these'";
     for (size_t place = 0; place < chart.notes.size(); ++place) {
         const std::string& name = chart.notes[place].name;

@@ -71,7 +71,8 @@ void draw_storage_panel(std::ostream& out, size_t index, const StoragePanel& pan
 void draw_storage_legend(std::ostream& out, const StoragePanel& panel) {
     out << "unset title\nunset xlabel\nunset ylabel\nunset tics\nunset border\nunset grid\n"
            "set xrange [1:10]\nset yrange [1:10]\n"
-           "set key center center maxcols 4 noenhanced samplen 4 width 2 font ',13'\nplot ";
+           "set key default\nset key center center maxcols 4 noenhanced samplen 4 width 2 font "
+           "',13'\nplot ";
     for (size_t line = 0; line < panel.lines.size(); ++line)
         out << (line == 0 ? "" : ", \\\n  ") << "NaN with linespoints " << line_style(line)
             << " title " << gnuplot_string(panel.lines[line].format);

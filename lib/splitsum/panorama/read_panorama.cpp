@@ -102,6 +102,7 @@ Result<OpenPanorama> open_panorama(const fs::path& path, const PanoramaOptions& 
 
     Panorama facts;
     facts.source = path.filename().string();
+    facts.reading = options;
     facts.color_space = color->name;
     facts.notes = reader->info().notes;
     facts.notes.insert(facts.notes.end(), color->notes.begin(), color->notes.end());

@@ -244,6 +244,19 @@ TEST(ChartFiles, QuoteWhatIsSpecial) {
     EXPECT_NE(gnuplot_script(chart).find("\"a\\\" system 'x'"), std::string::npos);
 }
 
+// gnuplot keeps what was set for the key of a single panel: with its rows the legend runs off the sheet.
+TEST(ChartFiles, DrawTheLegendWithAKeyOfItsOwn) {
+    const std::string script = gnuplot_script(small_chart());
+    const std::string legend = "set key center center";
+    size_t legends = 0;
+    for (size_t at = script.find(legend); at != std::string::npos;
+         at = script.find(legend, at + 1)) {
+        ++legends;
+        EXPECT_EQ(script.substr(at - 16, 16), "set key default\n");
+    }
+    EXPECT_GE(legends, 2u);
+}
+
 TEST(FilterLadder, NamesEveryLineOnceAtEachEffort) {
     const int samples[] = {16, 1 << 20};
     const double accuracies[] = {1e-3};

@@ -1,0 +1,132 @@
+// Several processes that store, fetch and evict, and are killed at it.
+
+#include <chrono>
+#include <csignal>
+#include <random>
+#include <thread>
+
+#include "unit/cache/entries.h"
+
+namespace splitsum {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace tests;
+
+constexpr int numbers = 24;
+constexpr int64_t limit = 600'000;
+
+size_t bytes_of_number(int n) { return 20'000 + size_t(n) * 7919 % 90'000; }
+
+class ProcessesTest : public CacheTest {
+protected:
+    ProcessesTest() {
+        for (int n = 0; n < numbers; ++n) write_files(baked(n), files_of(n, bytes_of_number(n)));
+    }
+    fs::path baked(int n) const { return temporary_ / cat("baked", n); }
+
+    /// Fetches into a folder of the worker's: all right files or none.
+    bool fetch_is_right(const ContentCache& cache, int n, const fs::path& into) const {
+        fs::create_directories(into);
+        const auto found = cache.fetch(key_of(n), into);
+        const bool right = found && (*found ? files_in(into) == files_of(n, bytes_of_number(n))
+                                            : fs::is_empty(into));
+        fs::remove_all(into);
+        return right;
+    }
+
+    /// Works until it is killed; ends with a code of what went wrong.
+    int work(unsigned seed) const {
+        std::mt19937 random(seed);
+        const fs::path into = temporary_ / cat("into", getpid());
+        while (true) {
+            const ContentCache cache = open(limit);
+            for (int i = 0; i < 20; ++i) {
+                const int n = int(random() % numbers);
+                if (random() % 2 == 0) {
+                    if (!cache.store(key_of(n), baked(n))) return 2;
+                } else if (!fetch_is_right(cache, n, into)) {
+                    return 3;
+                }
+            }
+        }
+    }
+};
+
+TEST_F(ProcessesTest, KilledAtAnyMomentTheyLeaveAWholeCache) {
+    constexpr int workers = 6, kills = 100;
+    std::mt19937 random(1);
+    std::vector<pid_t> processes;
+    for (unsigned i = 0; i < workers; ++i)
+        processes.push_back(start_process([&] { return work(i); }));
+    for (int kill_number = 0; kill_number < kills; ++kill_number) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(random() % 60));
+        pid_t& victim = processes[random() % workers];
+        kill(victim, SIGKILL);
+        ASSERT_EQ(exit_code_of(victim), 128 + SIGKILL) << "before kill " << kill_number;
+        victim = start_process([&] { return work(unsigned(100 + kill_number)); });
+    }
+    for (const pid_t process : processes) {
+        kill(process, SIGKILL);
+        EXPECT_EQ(exit_code_of(process), 128 + SIGKILL);
+    }
+
+    // Every entry that can be seen is whole, whoever was killed.
+    const std::vector<int> entries = kept(numbers);
+    EXPECT_FALSE(entries.empty());
+    const ContentCache cache = open(limit);
+    for (const int n : entries) EXPECT_TRUE(fetches(cache, n, bytes_of_number(n))) << n;
+    ASSERT_TRUE(store(cache, numbers));
+    size_t bytes = 1000;
+    for (const int n : kept(numbers - 1)) bytes += bytes_of_number(n);
+    EXPECT_LE(bytes, size_t(limit));
+    EXPECT_EQ(parts(), 0u);
+}
+
+TEST_F(ProcessesTest, ARaceForOneKeyIsWonByAll) {
+    const ContentCache cache = open(limit);
+    for (int round = 0; round < 20; ++round) {
+        fs::remove_all(entry_of(7));
+        std::vector<pid_t> processes;
+        for (int i = 0; i < 5; ++i)
+            processes.push_back(start_process([&] {
+                return cache.store(key_of(7), baked(7)) &&
+                               fetch_is_right(cache, 7, temporary_ / cat("into", getpid()))
+                           ? 0
+                           : 1;
+            }));
+        for (const pid_t process : processes) EXPECT_EQ(exit_code_of(process), 0);
+        EXPECT_EQ(parts(), 0u);
+    }
+}
+
+// One process does nothing but remove entries from under the others.
+TEST_F(ProcessesTest, WhoLosesTheEntryMidwayFindsNothing) {
+    const ContentCache cache = open();
+    const pid_t evictor = start_process([&] {
+        while (true) {
+            const ContentCache strict = open(0);
+            (void)strict.store(key_of(0), baked(0));
+        }
+        return 0;
+    });
+    int found = 0, absent = 0;
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(2);
+    while (std::chrono::steady_clock::now() < end && (found < 50 || absent < 50)) {
+        ASSERT_TRUE(cache.store(key_of(5), baked(5)));
+        const TemporaryFolder into;
+        const auto fetched = cache.fetch(key_of(5), into.path());
+        ASSERT_TRUE(fetched) << fetched.error().message;
+        if (*fetched)
+            ASSERT_TRUE(files_in(into.path()) == files_of(5, bytes_of_number(5)));
+        else
+            ASSERT_TRUE(fs::is_empty(into.path()));
+        ++(*fetched ? found : absent);
+    }
+    kill(evictor, SIGKILL);
+    EXPECT_EQ(exit_code_of(evictor), 128 + SIGKILL);
+    EXPECT_GT(absent, 0);
+}
+
+}  // namespace
+}  // namespace splitsum
