@@ -23,14 +23,16 @@ CLI::Validator shard_text() {
 }  // namespace
 
 SourceOptions::SourceOptions(CLI::App& app) {
-    app.add_option("PANORAMA", inputs,
-                   "2:1 lat-long images (.exr, .hdr, .tif, .pfm, ...) and folders of them, searched "
-                   "with all that is in them")
+    app.add_option(
+           "PANORAMA", inputs,
+           "2:1 lat-long images (.exr, .hdr, .tif, .pfm, ...) and folders of them, searched "
+           "with all that is in them")
         ->option_text("...")
         ->check(not_empty());
-    app.add_option("--include", include,
-                   "of folders, only files that match such a pattern, as a shell has them: '*.exr', "
-                   "'dusk/*'; may be given more than once")
+    app.add_option(
+           "--include", include,
+           "of folders, only files that match such a pattern, as a shell has them: '*.exr', "
+           "'dusk/*'; may be given more than once")
         ->option_text("PATTERN")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
@@ -47,7 +49,8 @@ SourceOptions::SourceOptions(CLI::App& app) {
         ->check(not_empty());
     app.add_option_function<std::string>(
            "--shard", [this](const std::string& text) { shard = *parse_shard(text); },
-           "only this part of the panoramas, such as 2/8: the second of eight that differ little in "
+           "only this part of the panoramas, such as 2/8: the second of eight that differ little "
+           "in "
            "their pixels (default 1/1)")
         ->option_text("I/N")
         ->check(shard_text());
@@ -59,12 +62,14 @@ EffortOptions::EffortOptions(CLI::App& app) {
     auto* dry = app.add_flag("--dry-run", dry_run,
                              "say what would be baked, and why; nothing is written, neither in DIR "
                              "nor by --depfile and --events");
-    auto* merging = app.add_flag("--merge", merge,
-                                 "bake nothing, but check that DIR is complete: each panorama up to "
-                                 "date, each certificate true; exit code 1 if not");
-    app.add_option("--cache", cache,
-                   "a folder of results that other libraries, processes and machines share; made if "
-                   "it is missing")
+    auto* merging =
+        app.add_flag("--merge", merge,
+                     "bake nothing, but check that DIR is complete: each panorama up to "
+                     "date, each certificate true; exit code 1 if not");
+    app.add_option(
+           "--cache", cache,
+           "a folder of results that other libraries, processes and machines share; made if "
+           "it is missing")
         ->option_text("FOLDER")
         ->check(not_empty());
     merging->excludes(dry)->excludes("--force")->excludes("--cache")->excludes("--shard");

@@ -21,7 +21,7 @@ std::string escaped_for_make(const std::string& name) {
     for (const char letter : name) {
         // Backslashes are letters of the name, but in front of what one of them would escape.
         if (letter == ' ' || letter == '\t' || letter == '#')
-            escaped += std::string(letter == '#' ? 0 : backslashes, '\\') + '\\';
+            escaped.append(letter == '#' ? 1 : backslashes + 1, '\\');
         if (letter == '$') escaped += '$';
         escaped += letter;
         backslashes = letter == '\\' ? backslashes + 1 : 0;
@@ -33,10 +33,10 @@ Result<std::string> depfile_text(std::span<const std::string> targets,
                                  std::span<const std::string> sources) {
     for (const auto names : {targets, sources})
         if (const Status fit = check_names(names); !fit) return fit.error();
-    std::string text = join(targets, " \\\n", escaped_for_make) + ":";
-    for (const std::string& source : sources) text += " \\\n  " + escaped_for_make(source);
+    std::string text = cat(join(targets, " \\\n", escaped_for_make), ":");
+    for (const std::string& source : sources) text += cat(" \\\n  ", escaped_for_make(source));
     text += "\n";
-    for (const std::string& source : sources) text += "\n" + escaped_for_make(source) + ":\n";
+    for (const std::string& source : sources) text += cat("\n", escaped_for_make(source), ":\n");
     return text;
 }
 

@@ -58,8 +58,7 @@ Result<std::vector<ListedPanorama>> list_entry(const ManifestPanorama& entry,
                                                const fs::path& output) {
     auto panoramas = list_panoramas({entry.file}, {entry.only, entry.except, output});
     if (!panoramas)
-        return Error{panoramas.error().kind,
-                     cat(place_of(entry), ": ", panoramas.error().message)};
+        return Error{panoramas.error().kind, cat(place_of(entry), ": ", panoramas.error().message)};
     std::error_code failure;
     const bool is_folder = fs::is_directory(entry.file, failure);
     for (ListedPanorama& panorama : *panoramas)
@@ -87,8 +86,8 @@ Result<JobList> list_manifest(const Manifest& manifest, const CLI::App& app,
 
 Error missing_output(const CLI::App& app) {
     return {ErrorKind::bad_argument,
-            cat("--output is missing: -o DIR names the folder of the results; see ",
-                app.get_name(), " --help")};
+            cat("--output is missing: -o DIR names the folder of the results; see ", app.get_name(),
+                " --help")};
 }
 
 }  // namespace
@@ -97,9 +96,11 @@ Result<JobList> list_jobs(CLI::App& app, const BakeOptions& options) {
     const SourceOptions& source = options.source;
     if (source.manifest.empty()) {
         if (source.inputs.empty())
-            return Error{ErrorKind::bad_argument,
-                         cat("PANORAMA is missing: name panoramas, folders of them, or a --manifest; "
-                             "see ", app.get_name(), " --help")};
+            return Error{
+                ErrorKind::bad_argument,
+                cat("PANORAMA is missing: name panoramas, folders of them, or a --manifest; "
+                    "see ",
+                    app.get_name(), " --help")};
         if (options.output.path().empty()) return missing_output(app);
         return list_inputs(options);
     }

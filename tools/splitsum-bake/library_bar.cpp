@@ -52,7 +52,7 @@ std::string names_of(const LibraryState& state) {
 void append(std::string& line, const std::string& text, size_t room) {
     const size_t gap = line.empty() ? 0 : 2;
     if (columns_of(line) + gap + columns_of(text) > room || text.empty()) return;
-    line += std::string(gap, ' ') + text;
+    line.append(gap, ' ').append(text);
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ std::string library_bar(const LibraryState& state, int width) {
     const size_t length = left < least_bar + 4 ? 0 : std::min(most_bar, left - 4);
     if (length > 0) {
         const auto filled = static_cast<size_t>(std::clamp(state.part, 0.0, 1.0) * double(length));
-        append(line, "[" + std::string(filled, '#') + std::string(length - filled, '.') + "]",
+        append(line, cat("[", std::string(filled, '#'), std::string(length - filled, '.'), "]"),
                room);
     }
     const size_t used = columns_of(line) + 2;

@@ -119,8 +119,7 @@ void LibraryProgress::keep_showing(const std::stop_token& stop) {
 void LibraryProgress::draw() {
     const int width = terminal_width();
     const std::string line =
-        asked_ == 1 ? stage_.empty() ? ""
-                                     : progress_bar(stage_, 100 * steps_done_ / steps_, width)
+        asked_ == 1 ? stage_.empty() ? "" : progress_bar(stage_, 100 * steps_done_ / steps_, width)
                     : library_bar(state(), width);
     if (line == drawn_) return;
     show_on_terminal(cat("\r", line, "\x1b[K"));

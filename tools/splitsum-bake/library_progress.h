@@ -54,8 +54,8 @@ private:
     mutable std::mutex mutex_;  // of everything below
     std::condition_variable_any changed_;
     size_t asked_ = 0, settled_ = 0;
-    size_t baked_ = 0;                    // settled since they were planned
-    std::map<size_t, double> work_;       // of each planned job
+    size_t baked_ = 0;               // settled since they were planned
+    std::map<size_t, double> work_;  // of each planned job
     double work_done_ = 0, work_all_ = 0;
     Stopwatch since_planned_;
     std::set<std::pair<double, size_t>> running_;  // seconds since_planned_ when they began

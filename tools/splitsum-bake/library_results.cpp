@@ -12,7 +12,9 @@ LibraryResults::LibraryResults(const ResultStyle& style, std::span<const Library
                                std::function<void(const std::string&)> print)
     : style_(style), jobs_(jobs), folder_(folder), print_(std::move(print)) {}
 
-void LibraryResults::begun(std::span<const size_t> jobs) { order_.assign(jobs.begin(), jobs.end()); }
+void LibraryResults::begun(std::span<const size_t> jobs) {
+    order_.assign(jobs.begin(), jobs.end());
+}
 
 void LibraryResults::finished(const LibraryItem& item) {
     if (style_.json) return;

@@ -39,8 +39,8 @@ private:
     const std::span<const LibraryJob> jobs_;
     const std::filesystem::path& folder_;
     const std::function<void(const std::string&)> print_;
-    std::vector<size_t> order_;             // of the shard's jobs
-    size_t next_ = 0;                       // in order_
+    std::vector<size_t> order_;              // of the shard's jobs
+    size_t next_ = 0;                        // in order_
     std::map<size_t, LibraryItem> waiting_;  // those that came early
 };
 

@@ -12,17 +12,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string scientific(double value) {
-    return cat(std::setprecision(2), std::scientific, value);
-}
+std::string scientific(double value) { return cat(std::setprecision(2), std::scientific, value); }
 
 std::string fixed(double value, int digits) {
     return cat(std::setprecision(digits), std::fixed, value);
 }
 
 std::string error_text(const BakedFacts& facts) {
-    if (!facts.worst_rel_rms)
-        return "not measured (--no-verify), error bounds in report.txt";
+    if (!facts.worst_rel_rms) return "not measured (--no-verify), error bounds in report.txt";
     return cat("worst rel_rms beyond the mirror level ", scientific(*facts.worst_rel_rms));
 }
 
@@ -32,10 +29,10 @@ std::string result_text(const LibraryItem& item, const fs::path& folder, bool br
     const std::string seconds = fixed(item.seconds, 2) + " s\n";
     if (briefly)
         return cat(folder.string(), "/: ", cached ? "from the cache, " : "", error, ", ", seconds);
-    std::string text =
-        cat(folder.string(), "/: ",
-            join(item.facts->files, ", ", [](const auto& file) { return file.name; }),
-            ", report.json, report.txt\n  ", cached ? "from the cache, " : "", error, ", ", seconds);
+    std::string text = cat(
+        folder.string(),
+        "/: ", join(item.facts->files, ", ", [](const auto& file) { return file.name; }),
+        ", report.json, report.txt\n  ", cached ? "from the cache, " : "", error, ", ", seconds);
     for (const std::string& note : item.notes) text += cat("  note: ", note, "\n");
     return text;
 }
@@ -70,8 +67,7 @@ std::string worst_text(const LibrarySummary& summary, std::span<const LibraryJob
 
 }  // namespace
 
-std::string item_text(const LibraryItem& item, const fs::path& folder, bool briefly,
-                      bool dry_run) {
+std::string item_text(const LibraryItem& item, const fs::path& folder, bool briefly, bool dry_run) {
     switch (item.outcome) {
         case Outcome::baked:
         case Outcome::from_cache: return result_text(item, folder, briefly);

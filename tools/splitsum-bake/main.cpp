@@ -1,5 +1,8 @@
 #include <CLI/CLI.hpp>
 
+#include <string>
+#include <vector>
+
 #include "common/run_tool.h"
 #include "run_bake.h"
 
@@ -17,7 +20,8 @@ int main(int argc, char** argv) {
         "          splitsum-bake hdri --exclude 'old/*' -o baked --cache ~/.cache/splitsum\n"
         "          splitsum-bake --manifest bake.toml -o baked --dry-run");
     const tools::BakeOptions options(app);
+    const std::vector<std::string> command(argv, argv + argc);
     return tools::run_tool(app, argc, argv, [&](Progress& progress) {
-        return tools::run_bake(app, options, progress);
+        return tools::run_bake(app, options, command, progress);
     });
 }

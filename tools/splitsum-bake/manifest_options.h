@@ -25,7 +25,7 @@ struct PanoramaPlan {
 /// command line, overrides all settings; the environment overrides none.
 ///
 /// Fails with bad_argument: up to ten problems, a line each, with the place of the setting, or of
-/// the panorama where settings do not fit together. Cost: 0.2 ms for each set of settings that
+/// the panorama where settings do not fit together. Cost: 0.1 ms for each set of settings that
 /// differs from the others.
 Result<std::vector<PanoramaPlan>> plans_of_manifest(std::span<const ManifestPanorama> panoramas,
                                                     const CLI::App& app);

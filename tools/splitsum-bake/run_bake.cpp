@@ -78,9 +78,9 @@ Status verdict(const LibrarySummary& summary) {
     const auto first = std::ranges::find_if(summary.items, failed);
     if (first == summary.items.end()) return ok;
     if (!many) return *first->error;
-    return Error{first->error->kind, cat(std::ranges::count_if(summary.items, failed), " of ",
-                                         summary.items.size(),
-                                         " panoramas failed, the others are baked")};
+    return Error{first->error->kind,
+                 cat(std::ranges::count_if(summary.items, failed), " of ", summary.items.size(),
+                     " panoramas failed, the others are baked")};
 }
 
 // Of several panoramas each failure has a line of its own, before the line that counts them.
@@ -92,7 +92,7 @@ void print_failures(const CLI::App& app, const LibrarySummary& summary) {
     std::cerr << std::flush;
 }
 
-ExitCode exit_code_of(const Status& verdict) {
+ExitCode code_of(const Status& verdict) {
     return verdict ? ExitCode::done : exit_code_of(verdict.error().kind);
 }
 
@@ -128,7 +128,7 @@ Result<ExitCode> run_library(const CLI::App& app, const BakeOptions& options, co
     if (status && !telling.depfile.empty() && !run.dry_run)
         status = write_depfile(telling, list, run, *summary);
     if (events)
-        if (const Status told = events->end(*summary, int(exit_code_of(status))); status && !told)
+        if (const Status told = events->end(*summary, int(code_of(status))); status && !told)
             status = told;
     if (!status) return status.error();
     return ExitCode::done;
@@ -136,12 +136,13 @@ Result<ExitCode> run_library(const CLI::App& app, const BakeOptions& options, co
 
 }  // namespace
 
-Result<ExitCode> run_bake(CLI::App& app, const BakeOptions& options, Progress& terminal) {
+Result<ExitCode> run_bake(CLI::App& app, const BakeOptions& options,
+                          std::span<const std::string> command, Progress& terminal) {
     const auto list = list_jobs(app, options);
     if (!list) return list.error();
     // A manifest may have set it after the program began.
     const ThreadLimit limit(app.get_option("--threads")->as<int>());
-    if (options.effort.merge) return run_merge(app, options, *list, terminal);
+    if (options.effort.merge) return run_merge(command, options, *list, terminal);
     return run_library(app, options, *list, terminal);
 }
 

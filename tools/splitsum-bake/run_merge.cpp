@@ -43,10 +43,28 @@ void print_text(const MergeCheck& check, const JobList& list, const fs::path& fo
                   << "/\n";
 }
 
+void complain(const std::string& what) {
+    std::cerr << cat("splitsum-bake: ", one_line(what), "\n");
+}
+
+std::string quoted(const std::string& argument) {
+    constexpr const char* plain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789%+,-./:=@_";
+    if (!argument.empty() && argument.find_first_not_of(plain) == std::string::npos)
+        return argument;
+    std::string text = "'";
+    for (const char letter : argument) text += letter == '\'' ? "'\\''" : std::string(1, letter);
+    return text + "'";
+}
+
 }  // namespace
 
-Result<ExitCode> run_merge(const CLI::App& app, const BakeOptions& options, const JobList& list,
-                           Progress& progress) {
+std::string shell_text(std::span<const std::string> arguments) {
+    return join(arguments, " ", quoted);
+}
+
+Result<ExitCode> run_merge(std::span<const std::string> command, const BakeOptions& options,
+                           const JobList& list, Progress& progress) {
     const fs::path folder = options.output.path();
     const LibraryTable table{options.table.plan(), options.asset.encoding.container()};
     const auto check = check_merged(list.jobs, table, folder, progress);
@@ -55,15 +73,16 @@ Result<ExitCode> run_merge(const CLI::App& app, const BakeOptions& options, cons
     if (check->holds()) return ExitCode::done;
 
     std::cout << std::flush;
-    const auto complain = [&](const std::string& what) {
-        std::cerr << cat(app.get_name(), ": ", one_line(what), "\n");
-    };
     for (const MergeProblem& problem : check->problems)
         complain(cat(folder_of(list, problem.job, folder), "/: ", problem.what));
     if (check->table_problem)
         complain(cat((folder / library_table_file).string(), ": ", *check->table_problem));
-    complain(cat("the library is not complete; the same command without --merge bakes what is "
-                 "missing, and what is damaged with --force"));
+    std::vector<std::string> baking(command.begin(), command.end());
+    std::erase(baking, "--merge");
+    complain(cat(check->problems.size(), " of ", list.jobs.size(),
+                 " panoramas are not complete; what is missing is baked by: ", shell_text(baking)));
+    if (check->damaged > 0)
+        complain("of what is damaged, remove report.json first, so that it is baked again");
     return ExitCode::over_limit;
 }
 

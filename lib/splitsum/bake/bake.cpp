@@ -117,7 +117,7 @@ Status write_files(const BakedAssets& assets, const BakePlan& plan,
     for (const auto& [name, text] : {std::pair("report.txt", report_text(report)),
                                      std::pair("report.json", report_json(report))})
         if (const Status done = write_text_whole(staged->path() / name, text); !done) return done;
-    return staged->publish("report.json");
+    return staged->publish("report.json", {"contact.png"});
 }
 
 }  // namespace

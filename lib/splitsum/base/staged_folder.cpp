@@ -112,12 +112,14 @@ private:
 };
 
 Status move_all(const fs::path& staging, const fs::path& folder, const std::vector<fs::path>& names,
-                const fs::path& last) {
+                const fs::path& last, const std::vector<std::string>& replaced) {
     Moves moves(staging, folder);
     Status status = moves.take_away(last);
     if (status) status = flush_to_disk(folder);
     for (const fs::path& name : names)
         if (status && name != last) status = moves.replace(name);
+    for (const std::string& name : replaced)
+        if (status && !std::ranges::count(names, fs::path(name))) status = moves.take_away(name);
     if (status) status = flush_to_disk(folder);
     if (status) status = moves.replace(last);
     if (status) status = flush_to_disk(folder);
@@ -162,7 +164,7 @@ StagedFolder::~StagedFolder() {
     remove_again(folder_, first_made_);
 }
 
-Status StagedFolder::publish(const std::string& last) {
+Status StagedFolder::publish(const std::string& last, const std::vector<std::string>& replaced) {
     const std::vector<fs::path> names = staged_names(staging_);
     if (!std::ranges::count(names, fs::path(last)))
         return Error{ErrorKind::internal, cat("'", last, "' should have been written into ",
@@ -172,7 +174,7 @@ Status StagedFolder::publish(const std::string& last) {
     Status status = make_folder(staging_ / older_files);
     for (const fs::path& name : names)
         if (status) status = check_writable(folder_ / name);
-    if (status) status = move_all(staging_, folder_, names, last);
+    if (status) status = move_all(staging_, folder_, names, last, replaced);
     turn->remove_file();
     if (status) first_made_.clear();
     return status;

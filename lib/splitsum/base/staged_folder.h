@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "splitsum/base/file_lock.h"
 #include "splitsum/base/result.h"
@@ -33,8 +34,9 @@ public:
     /// that publish into one folder take turns. When a file cannot be moved, everything that was
     /// there before is put back.
     ///
-    /// Call it once. Fails with unwritable_output.
-    Status publish(const std::string& last);
+    /// `replaced` names files that an older set may have and this one need not: where they are not
+    /// staged, they go. Call it once. Fails with unwritable_output.
+    Status publish(const std::string& last, const std::vector<std::string>& replaced = {});
 
 private:
     StagedFolder(std::filesystem::path folder, std::filesystem::path staging,

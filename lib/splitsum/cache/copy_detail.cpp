@@ -3,8 +3,8 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <vector>
 
+#include "splitsum/base/buffer.h"
 #include "splitsum/base/content_hash.h"
 
 namespace splitsum {
@@ -18,9 +18,9 @@ std::optional<CopyFailure> copy_bytes(const Descriptor& from, const Descriptor& 
     // What this does not copy, for whatever reason, the loop below copies or says why not.
     while (copy_file_range(from.get(), nullptr, to.get(), nullptr, size_t(1) << 30, 0) > 0) {
     }
-    std::string buffer(piece, '\0');
+    Buffer<char> buffer(piece);
     while (true) {
-        const ssize_t count = read(from.get(), buffer.data(), buffer.size());
+        const ssize_t count = read(from.get(), buffer.data(), piece);
         if (count == 0) return std::nullopt;
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) return CopyFailure{true, errno};
@@ -32,13 +32,13 @@ std::optional<CopyFailure> copy_bytes(const Descriptor& from, const Descriptor& 
 std::optional<FileSum> sum_of(const Descriptor& file) {
     ContentHash hash;
     FileSum sum;
-    std::vector<std::byte> buffer(piece);
+    Buffer<std::byte> buffer(piece);
     while (true) {
-        const ssize_t count = pread(file.get(), buffer.data(), buffer.size(), sum.bytes);
+        const ssize_t count = pread(file.get(), buffer.data(), piece, sum.bytes);
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) return std::nullopt;
         if (count == 0) break;
-        hash.add(std::span(buffer).first(static_cast<size_t>(count)));
+        hash.add(std::span(buffer.data(), static_cast<size_t>(count)));
         sum.bytes += count;
     }
     sum.hash = hash.digits();

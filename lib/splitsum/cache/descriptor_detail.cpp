@@ -85,7 +85,10 @@ bool write_all(const Descriptor& file, std::string_view text) {
 }
 
 std::string read_all(const Descriptor& file, size_t most) {
-    std::string text(most + 1, '\0');
+    struct stat about {};
+    if (fstat(file.get(), &about) != 0 || about.st_size > static_cast<off_t>(most)) return {};
+    // Files of /proc say that they are empty.
+    std::string text(about.st_size > 0 ? static_cast<size_t>(about.st_size) : most, '\0');
     size_t size = 0;
     while (size < text.size()) {
         const ssize_t count = read(file.get(), text.data() + size, text.size() - size);
@@ -94,7 +97,6 @@ std::string read_all(const Descriptor& file, size_t most) {
         if (count == 0) break;
         size += static_cast<size_t>(count);
     }
-    if (size > most) return {};
     text.resize(size);
     return text;
 }

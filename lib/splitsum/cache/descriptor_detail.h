@@ -52,7 +52,8 @@ bool is_still(const Descriptor& parent, const std::string& name, const Descripto
 /// Writes all of `text`; false with errno on failure.
 bool write_all(const Descriptor& file, std::string_view text);
 
-/// All of a file of at most `most` bytes; "" where it is longer or cannot be read.
+/// All of a file of at most `most` bytes; "" where it is longer or cannot be read. Of a file without
+/// a length, as in /proc, the first `most` bytes.
 std::string read_all(const Descriptor& file, size_t most);
 
 }  // namespace splitsum

@@ -70,7 +70,7 @@ public:
 struct LibrarySummary {
     std::vector<LibraryItem> items;    ///< of the shard, in the order of the list
     std::optional<TableResult> table;  ///< once there is a panorama to use it with
-    std::optional<Error> stopped;      ///< why nothing more was begun, if so; `interrupted` included
+    std::optional<Error> stopped;  ///< why nothing more was begun, if so; `interrupted` included
     double seconds = 0;
 };
 

@@ -73,9 +73,9 @@ Status bake_panorama(const LibraryJob& job, const fs::path& folder, BakeShop& sh
     const auto light =
         load_light(job.panorama.file, job.reading, light_use(job.plan, shop.tables), progress);
     if (!light) return light.error();
-    const auto report =
-        shop.cache ? bake_and_store(*light, job, folder, *shop.cache, item, progress)
-                   : bake(*light, job.plan, folder, progress);
+    const auto report = shop.cache
+                            ? bake_and_store(*light, job, folder, *shop.cache, item, progress)
+                            : bake(*light, job.plan, folder, progress);
     if (!report) return report.error();
     remember(folder, *stamp, report->source.hash);
     item.outcome = Outcome::baked;

@@ -21,7 +21,7 @@ struct BakeShop {
 /// notes of the item; a cache that cannot be written to is a note. Remembers the source in the folder.
 ///
 /// Fails as load_light and bake do.
-Status bake_panorama(const LibraryJob& job, const std::filesystem::path& folder,
-                     BakeShop& shop, LibraryItem& item, Progress& progress);
+Status bake_panorama(const LibraryJob& job, const std::filesystem::path& folder, BakeShop& shop,
+                     LibraryItem& item, Progress& progress);
 
 }  // namespace splitsum

@@ -14,7 +14,7 @@ namespace splitsum {
 /// Whether a panorama has to be baked.
 struct Freshness {
     bool up_to_date = false;
-    std::string why;  ///< where it is not: "the options changed: accuracy 0.0003 -> 0.0001"
+    std::string why;  ///< where it is not: "the options changed: accuracy 3e-04 -> 1e-04"
     /// What the earlier bake says of itself; nothing where there is none that can be read.
     std::optional<BakedReport> baked;
     /// The hash of the source, where it had to be known. If it was read for that, remember_source

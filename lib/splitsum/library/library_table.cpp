@@ -24,8 +24,7 @@ std::string recipe_of(const LibraryTable& table) {
     hash.add(cat("algorithm ", algorithm_version, "\nkind ", kind, "\nmethod ", method, "\nsize ",
                  size, "\nsamples ", samples, "\naccuracy ", accuracy.value_or(0), "\ngeometry ",
                  int(geometry), "\nlayout ", int(layout), "\naxes ", int(axes), "\nroughness axis ",
-                 int(roughness_axis), "\nflip ", flip, "\nzstd ",
-                 ktx2.zstd ? ktx2.zstd_level : 0));
+                 int(roughness_axis), "\nflip ", flip, "\nzstd ", ktx2.zstd ? ktx2.zstd_level : 0));
     return cat("xxh3-128:", hash.digits());
 }
 

@@ -48,8 +48,8 @@ void LibraryWork::look_at(LibraryItem& item) {
     const Stopwatch stopwatch;
     const LibraryJob& job = job_of(item);
     if (!run_.dry_run) remove_leftovers(folder_of(item));
-    auto found = check_freshness(job.panorama.file, job.reading, job.plan, folder_of(item),
-                                 shop_.configs);
+    auto found =
+        check_freshness(job.panorama.file, job.reading, job.plan, folder_of(item), shop_.configs);
     item.seconds = stopwatch.seconds();
     if (!found) return settle(item, found.error());
     item.why = found->why;

@@ -13,6 +13,7 @@ namespace fs = std::filesystem;
 // What was found of one job.
 struct Found {
     std::string problem;  // "" if there is none
+    bool is_damaged = false;
     BakedFacts facts;
 };
 
@@ -29,17 +30,19 @@ std::string broken_promise(const fs::path& folder, const BakedFacts& facts) {
 }
 
 Found look_at(const LibraryJob& job, const fs::path& folder, ConfigHashes& configs) {
-    const auto fresh =
-        check_freshness(job.panorama.file, job.reading, job.plan, folder, configs);
-    if (!fresh) return {fresh.error().message, {}};
-    if (!fresh->up_to_date || !fresh->baked) return {fresh->why, {}};
-    Found found{"", facts_from(*fresh->baked)};
+    const auto fresh = check_freshness(job.panorama.file, job.reading, job.plan, folder, configs);
+    if (!fresh) return {fresh.error().message, false, {}};
+    if (!fresh->up_to_date || !fresh->baked) return {fresh->why, false, {}};
+    Found found{"", false, facts_from(*fresh->baked)};
     found.problem = broken_promise(folder, found.facts);
+    found.is_damaged = !found.problem.empty();
     return found;
 }
 
 void count(const Found& found, size_t job, MergeCheck& check) {
-    if (!found.problem.empty()) return check.problems.push_back({job, found.problem});
+    if (found.is_damaged) ++check.damaged;
+    if (!found.problem.empty())
+        return check.problems.push_back({job, found.is_damaged, found.problem});
     ++check.complete;
     check.bytes += bytes_of(found.facts);
     const auto& error = found.facts.worst_rel_rms;

@@ -15,13 +15,16 @@ namespace splitsum {
 /// What keeps a panorama's results from being whole and true.
 struct MergeProblem {
     size_t job = 0;
-    std::string what;  ///< "there is no report yet", "specular.ktx2: the texels ... are not those ..."
+    bool is_damaged = false;  ///< it looks up to date, and is not what it was certified to be
+    std::string
+        what;  ///< "there is no report yet", "specular.ktx2: the texels ... are not those ..."
 };
 
 /// What a library comes to after all of its parts were baked.
 struct MergeCheck {
     std::vector<MergeProblem> problems;        ///< in the order of the list
     std::optional<std::string> table_problem;  ///< why the table is not the one that belongs here
+    size_t damaged = 0;                        ///< of the problems
     size_t complete = 0;                       ///< panoramas without a problem
     int64_t bytes = 0;                         ///< of their files
     std::optional<double> worst_rel_rms;       ///< of those that were measured

@@ -91,6 +91,19 @@ TEST(StagedFolder, ReplacesAnOlderSet) {
     EXPECT_EQ(names_in(folder.path()).size(), 4u);
 }
 
+TEST(StagedFolder, WhatTheOlderSetHadMoreGoes) {
+    const tests::TemporaryFolder folder;
+    ASSERT_TRUE(publish_set(folder.path(), "older"));
+    ASSERT_TRUE(write_text_whole(folder / "theirs", "kept"));
+    auto staged = StagedFolder::create(folder.path());
+    for (const char* name : {"a_texture", "last"})
+        ASSERT_TRUE(write_text_whole(staged->path() / name, "newer"));
+    ASSERT_TRUE(staged->publish("last", {"a_texture", "z_texture", "none"}));
+    EXPECT_EQ(tests::bytes_of(folder / "a_texture"), "newer");
+    EXPECT_FALSE(fs::exists(folder / "z_texture"));
+    EXPECT_TRUE(fs::exists(folder / "theirs"));
+}
+
 // A staged folder cannot take the place of a file, which shows only in the middle of moving.
 TEST(StagedFolder, PutsEverythingBackWhenAFileCannotBeMoved) {
     const tests::TemporaryFolder folder;
@@ -103,7 +116,7 @@ TEST(StagedFolder, PutsEverythingBackWhenAFileCannotBeMoved) {
         for (const char* name : {"a", "c", "last", "new"})
             ASSERT_TRUE(write_text_whole(staged->path() / name, "newer"));
         ASSERT_TRUE(make_folder(staged->path() / "b"));
-        const Status published = staged->publish("last");
+        const Status published = staged->publish("last", {"gone"});
         ASSERT_FALSE(published);
         EXPECT_EQ(published.error().kind, ErrorKind::unwritable_output);
         EXPECT_NE(published.error().message.find((folder / "b").string()), std::string::npos)

@@ -44,12 +44,11 @@ protected:
 TEST_F(IndexTest, EveryByteMatters) {
     const std::string index = bytes_of(whole_ / "index");
     EXPECT_TRUE(fetches_with(index));
-    for (size_t place = 0; place < index.size(); ++place)
-        for (const int bit : {1, 4, 32}) {
-            std::string changed = index;
-            changed[place] = char(changed[place] ^ bit);
-            EXPECT_FALSE(fetches_with(changed)) << place;
-        }
+    for (size_t place = 0; place < index.size(); ++place) {
+        std::string changed = index;
+        changed[place] = char(changed[place] ^ (1 << place % 7));
+        EXPECT_FALSE(fetches_with(changed)) << place;
+    }
     EXPECT_EQ(parts(), 0u);
 }
 

@@ -100,6 +100,44 @@ TEST_F(ProcessesTest, ARaceForOneKeyIsWonByAll) {
     }
 }
 
+// A folder that is baked again and again has no report.json meanwhile; all files carry the number
+// of the bake, and have a length of its own so that they cannot be taken for older ones.
+TEST_F(ProcessesTest, AFolderThatChangesIsStoredWholeOrRefused) {
+    const fs::path folder = temporary_ / "changing";
+    const std::vector<std::string> names = {"a", "b", "report.json"};
+    const auto bake_number = [&](int bake) {
+        fs::remove(folder / "report.json");
+        for (const std::string& name : names) {
+            write_bytes(folder / (name + ".part"), cat(bake, std::string(size_t(bake), '.')));
+            fs::rename(folder / (name + ".part"), folder / name);
+        }
+    };
+    fs::create_directory(folder);
+    const pid_t baker = start_process([&] {
+        for (int bake = 0;; bake = (bake + 1) % 5000) bake_number(bake);
+        return 0;
+    });
+    const ContentCache cache = open();
+    int stored = 0, refused = 0;
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(2);
+    for (int n = 0; std::chrono::steady_clock::now() < end; ++n) {
+        const Status status = cache.store(key_of(n), folder, names);
+        ++(status ? stored : refused);
+        if (!status) {
+            EXPECT_EQ(status.error().kind, ErrorKind::unreadable_input) << status.error().message;
+            continue;
+        }
+        const TemporaryFolder into;
+        ASSERT_TRUE(*cache.fetch(key_of(n), into.path()));
+        EXPECT_EQ(bytes_of(into / "a"), bytes_of(into / "report.json"));
+        EXPECT_EQ(bytes_of(into / "b"), bytes_of(into / "report.json"));
+    }
+    kill(baker, SIGKILL);
+    EXPECT_EQ(exit_code_of(baker), 128 + SIGKILL);
+    EXPECT_GT(refused, 0) << stored;
+    EXPECT_EQ(parts(), 0u);
+}
+
 // One process does nothing but remove entries from under the others.
 TEST_F(ProcessesTest, WhoLosesTheEntryMidwayFindsNothing) {
     const ContentCache cache = open();
