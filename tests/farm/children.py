@@ -63,20 +63,25 @@ class Children:
         # Daemons whose parent ends become children of this process instead of the system's first.
         if _libc.prctl(_PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0) != 0:
             raise OSError(ctypes.get_errno(), "cannot adopt the processes of a test")
+        self._started: list[subprocess.Popen] = []
         return self
 
     def start(self, command: list, log: Path, **options) -> subprocess.Popen:
         """A program in the background that prints into `log`."""
         with open(log, "ab") as stream:
-            return subprocess.Popen([str(part) for part in command], stdin=subprocess.DEVNULL,
-                                    stdout=stream, stderr=stream, preexec_fn=_die_with_parent,
-                                    **options)
+            child = subprocess.Popen([str(part) for part in command], stdin=subprocess.DEVNULL,
+                                     stdout=stream, stderr=stream, preexec_fn=_die_with_parent,
+                                     **options)
+        self._started.append(child)
+        return child
 
     def __exit__(self, *_) -> None:
         deadline = time.monotonic() + 20
         while (left := descendants(os.getpid())) and time.monotonic() < deadline:
             for process in left:
                 end(process)
+            for child in self._started:
+                child.poll()
             self._reap()
             time.sleep(0.02)
         if left:

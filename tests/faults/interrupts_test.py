@@ -47,7 +47,7 @@ class Interrupted(unittest.TestCase):
             self.assertTrue(code in (0, 130) or (before_main and not files_of(output)), message)
             if code == 130:
                 stopped += 1
-                self.assertIn("again", message)  # how to go on
+                self.assertIn("the same command", message)  # how to go on
             self.assertEqual(whole.complaints_about_part(output), [])
             self.assertEqual([name for name in files_of(output)
                               if is_hidden(name) and name not in whole.files], [])

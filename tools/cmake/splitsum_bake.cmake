@@ -1,12 +1,12 @@
-# splitsum_bake(<target> [ALL] [PANORAMAS] <file or folder>... [MANIFEST <file>] [OUTPUT <folder>]
-#               [OPTIONS <option>...])
+# splitsum_bake(<target> [ALL] [PANORAMAS] <file or folder>... | MANIFEST <file>
+#               [OUTPUT <folder>] [OPTIONS <option>...])
 #
 # A target that bakes panoramas whenever one of them, an option, a manifest or splitsum-bake itself has
 # changed; it redoes only what the change concerns. README.md has examples.
 #
 # PANORAMAS  files, and folders that are searched whenever something was added to them or removed;
 #            relative to the current source folder. The word itself may be left out.
-# MANIFEST   a list of panoramas and settings for splitsum-bake --manifest
+# MANIFEST   in the place of panoramas: a list of them with settings, for splitsum-bake --manifest
 # OUTPUT     where the results go, relative to the current binary folder; <target> unless told
 #            otherwise. The target's property SPLITSUM_OUTPUT holds the whole path.
 # OPTIONS    options of splitsum-bake, such as --size 512
@@ -16,6 +16,9 @@ function(splitsum_bake target)
   set(panoramas ${bake_UNPARSED_ARGUMENTS} ${bake_PANORAMAS})
   if(NOT panoramas AND NOT bake_MANIFEST)
     message(FATAL_ERROR "splitsum_bake(${target}): nothing to bake; name panoramas, folders or a MANIFEST")
+  endif()
+  if(panoramas AND bake_MANIFEST)
+    message(FATAL_ERROR "splitsum_bake(${target}): either panoramas or a MANIFEST, which names its own")
   endif()
   if(NOT bake_OUTPUT)
     set(bake_OUTPUT ${target})
