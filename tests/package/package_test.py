@@ -143,6 +143,17 @@ class SplitsumBake:
         (self.project.source / "more/deeper/new.exr").unlink()
         self.project.make()  # a file that the last build read and that is gone is no error
 
+    def test_a_panorama_in_a_folder_that_was_empty_is_found(self):
+        (self.project.source / "more/empty").mkdir()
+        self.project.make()
+        self.ran = self.project.ran()
+        time.sleep(0.1)
+        self.project.add("studio.exr", "more/empty/new.exr")
+        self.expect_runs("skies")
+        self.assertEqual(self.changed(), {"empty/new"})
+        shutil.rmtree(self.project.source / "more/empty")
+        self.project.make()
+
     def test_a_changed_option_bakes_again(self):
         older = (self.project.build / "from a list/night/irradiance.ktx2").read_bytes()
         self.project.configure("-DWIDTH=16")

@@ -16,21 +16,30 @@ void add_source(const fs::path& source, JobList& list) {
         list.sources.push_back(source);
 }
 
-// Of an input that is a folder: it and the folders between it and its panoramas, where a new
-// panorama would be noticed.
-void add_folders(const fs::path& input, std::span<const ListedPanorama> panoramas, JobList& list) {
+// Of an input that is a folder: it and every folder in it that is searched, as a new panorama changes
+// the folder it is in. Links are not followed, but for the folders that panoramas were found in.
+void add_folders(const fs::path& input, std::span<const ListedPanorama> panoramas,
+                 const fs::path& output, JobList& list) {
     std::error_code failure;
     if (!fs::is_directory(input, failure)) return;
-    const fs::path top = input / "";  // as files found in it begin
     std::set<fs::path> folders = {input};
-    for (const ListedPanorama& panorama : panoramas) {
-        const auto [in_top, rest] = std::ranges::mismatch(top.parent_path(), panorama.file);
-        if (in_top != top.parent_path().end()) continue;
-        for (fs::path folder = panorama.file.parent_path(); folder != top.parent_path();
-             folder = folder.parent_path())
-            folders.insert(folder);
+    fs::recursive_directory_iterator entry(input, fs::directory_options::skip_permission_denied,
+                                           failure);
+    for (const fs::recursive_directory_iterator end; !failure && entry != end;
+         entry.increment(failure)) {
+        std::error_code ignored;
+        if (!entry->is_directory(ignored)) continue;
+        if (entry->path().filename().string().starts_with('.') ||
+            fs::equivalent(entry->path(), output, ignored))
+            entry.disable_recursion_pending();
+        else
+            folders.insert(entry->path());
     }
-    for (const fs::path& folder : folders) add_source(folder, list);
+    for (const ListedPanorama& panorama : panoramas)
+        if (panorama.file.string().starts_with((input / "").string()))
+            folders.insert(panorama.file.parent_path());
+    folders.insert(list.sources.begin(), list.sources.end());
+    list.sources.assign(folders.begin(), folders.end());
 }
 
 void add_job(LibraryJob job, JobList& list) {
@@ -47,7 +56,8 @@ Result<JobList> list_inputs(const BakeOptions& options) {
         list_panoramas(inputs, {source.include, source.exclude, options.output.path()});
     if (!panoramas) return panoramas.error();
     JobList list;
-    for (const fs::path& input : inputs) add_folders(input, *panoramas, list);
+    for (const fs::path& input : inputs)
+        add_folders(input, *panoramas, options.output.path(), list);
     for (const ListedPanorama& panorama : *panoramas)
         add_job({panorama, options.asset.reading.plan(), *plan}, list);
     return list;
@@ -77,7 +87,7 @@ Result<JobList> list_manifest(const Manifest& manifest, const CLI::App& app,
         const ManifestPanorama& entry = manifest.panoramas[i];
         const auto panoramas = list_entry(entry, options.output.path());
         if (!panoramas) return panoramas.error();
-        add_folders(entry.file, *panoramas, list);
+        add_folders(entry.file, *panoramas, options.output.path(), list);
         for (const ListedPanorama& panorama : *panoramas)
             add_job({panorama, (*plans)[i].reading, (*plans)[i].plan}, list);
     }
