@@ -1,5 +1,7 @@
 #include "bake_options.h"
 
+#include <utility>
+
 #include "splitsum/base/text.h"
 
 namespace splitsum::tools {
@@ -25,14 +27,13 @@ CLI::Validator shard_text() {
 SourceOptions::SourceOptions(CLI::App& app) {
     app.add_option(
            "PANORAMA", inputs,
-           "2:1 lat-long images (.exr, .hdr, .tif, .pfm, ...) and folders of them, searched "
-           "with all that is in them")
+           "2:1 lat-long images (.exr, .hdr, .tif, .pfm, ...), and folders, which are searched "
+           "for them")
         ->option_text("...")
         ->check(not_empty());
-    app.add_option(
-           "--include", include,
-           "of folders, only files that match such a pattern, as a shell has them: '*.exr', "
-           "'dusk/*'; may be given more than once")
+    app.add_option("--include", include,
+                   "of folders, only files that match such a pattern: '*.exr', 'dusk/*'; again for "
+                   "another")
         ->option_text("PATTERN")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
@@ -42,16 +43,15 @@ SourceOptions::SourceOptions(CLI::App& app) {
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->check(not_empty());
-    app.add_option("--manifest", manifest,
-                   "a .toml or .json file that names the panoramas and their options, in the place "
-                   "of PANORAMA")
+    app.add_option(
+           "--manifest", manifest,
+           "a .toml or .json file that names panoramas and options of their own, in place of "
+           "PANORAMA")
         ->option_text("FILE")
         ->check(not_empty());
     app.add_option_function<std::string>(
            "--shard", [this](const std::string& text) { shard = *parse_shard(text); },
-           "only this part of the panoramas, such as 2/8: the second of eight that differ little "
-           "in "
-           "their pixels (default 1/1)")
+           "only a part of them: 2/8 is the second of eight with about equal pixels (default 1/1)")
         ->option_text("I/N")
         ->check(shard_text());
     under_heading(app, "Which panoramas");
@@ -59,35 +59,45 @@ SourceOptions::SourceOptions(CLI::App& app) {
 
 EffortOptions::EffortOptions(CLI::App& app) {
     app.add_flag("--force", force, "bake again what is up to date");
-    auto* dry = app.add_flag("--dry-run", dry_run,
-                             "say what would be baked, and why; nothing is written, neither in DIR "
-                             "nor by --depfile and --events");
-    auto* merging =
-        app.add_flag("--merge", merge,
-                     "bake nothing, but check that DIR is complete: each panorama up to "
-                     "date, each certificate true; exit code 1 if not");
+    app.add_flag("--dry-run", dry_run,
+                 "say what would be baked, and why; nothing is written, --depfile and --events "
+                 "included");
+    app.add_flag(
+        "--merge", merge,
+        "bake nothing, and check that DIR is complete, up to date, and what its certificates "
+        "say;\nexit code 1 if not");
+    app.add_option("--memory", memory,
+                   "what the process may hold, 256M or more: as many panoramas at once as fit "
+                   "(default: no limit)")
+        ->option_text(byte_count_name)
+        ->transform(byte_count(int64_t{256} << 20, int64_t{1} << 50));
     app.add_option(
            "--cache", cache,
-           "a folder of results that other libraries, processes and machines share; made if "
-           "it is missing")
+           "a folder of results that libraries, processes and machines share, made if it is "
+           "missing")
         ->option_text("FOLDER")
         ->check(not_empty());
-    merging->excludes(dry)->excludes("--force")->excludes("--cache")->excludes("--shard");
+    app.add_option(
+           "--cache-size", cache_bytes,
+           cat("what the cache may hold; what was not used for longest goes first (default ",
+               byte_count_text(cache_bytes), ")"))
+        ->option_text(byte_count_name)
+        ->transform(byte_count(0, int64_t{1} << 50));
     under_heading(app, "What is done");
 }
 
 TellingOptions::TellingOptions(CLI::App& app) {
     app.add_flag("--json", json, "print the results as JSON");
-    app.add_option("--events", events,
-                   "append what happens to FILE, a JSON object a line; '-' is the standard error, "
-                   "without progress then")
+    app.add_option(
+           "--events", events,
+           "append what happens to FILE, a JSON object a line; '-': stderr, without progress")
         ->option_text("FILE")
         ->check(not_empty());
-    auto* file = app.add_option("--depfile", depfile,
-                                "write the files that the results depend on to FILE, for Make and "
-                                "Ninja")
-                     ->option_text("FILE")
-                     ->check(not_empty());
+    auto* file =
+        app.add_option("--depfile", depfile,
+                       "write to FILE, for Make and Ninja, which files the results depend on")
+            ->option_text("FILE")
+            ->check(not_empty());
     app.add_option("--depfile-target", depfile_target,
                    "what depends on them, as the build calls it (default: each report.json)")
         ->option_text("NAME")
@@ -106,6 +116,23 @@ BakeOptions::BakeOptions(CLI::App& app)
     under_heading(app, "The table");
     // A manifest may name it as well.
     app.get_option("--output")->required(false);
+}
+
+Status check_together(const BakeOptions& options) {
+    const EffortOptions& effort = options.effort;
+    if (!effort.merge) return ok;
+    const std::pair<bool, const char*> others[] = {{effort.force, "--force"},
+                                                   {effort.dry_run, "--dry-run"},
+                                                   {!effort.cache.empty(), "--cache"},
+                                                   {options.source.shard.count > 1, "--shard"},
+                                                   {!options.telling.depfile.empty(), "--depfile"},
+                                                   {!options.telling.events.empty(), "--events"}};
+    for (const auto& [given, name] : others)
+        if (given)
+            return Error{
+                ErrorKind::bad_argument,
+                cat("--merge checks the whole library and bakes nothing; leave out ", name)};
+    return ok;
 }
 
 }  // namespace splitsum::tools

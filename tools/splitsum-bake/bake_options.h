@@ -64,4 +64,7 @@ struct BakeOptions {
     TableOptions table;
 };
 
+/// Whether the options make sense together. Fails with bad_argument.
+Status check_together(const BakeOptions& options);
+
 }  // namespace splitsum::tools

@@ -11,10 +11,10 @@ namespace splitsum::tools {
 struct LibraryState {
     size_t settled = 0;  ///< panoramas that are baked, up to date or failed
     size_t of = 0;
-    double part = 0;                           ///< of the work, in [0, 1]
-    std::optional<double> panoramas_a_minute;  ///< nothing before the first
-    std::optional<double> seconds_left;
-    std::vector<std::string> at;  ///< what is being baked, longest first
+    double part = 0;                             ///< of the work, in [0, 1]
+    std::optional<double> panoramas_a_minute{};  ///< nothing before the first
+    std::optional<double> seconds_left{};
+    std::vector<std::string> at{};  ///< what is being baked, longest first
 };
 
 /// The state in one line of fewer than `width` columns: "12/100  41 %  1:23 left  43/min", a bar, and

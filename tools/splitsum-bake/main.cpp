@@ -4,10 +4,12 @@
 #include <vector>
 
 #include "common/run_tool.h"
+#include "process_memory.h"
 #include "run_bake.h"
 
 int main(int argc, char** argv) {
     using namespace splitsum;
+    tools::return_freed_memory();
     CLI::App app(
         "Bakes the image-based lighting of panoramas: reflections, diffuse light, the split-sum "
         "table\n"

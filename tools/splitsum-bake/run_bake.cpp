@@ -12,6 +12,7 @@
 #include "library_progress.h"
 #include "library_results.h"
 #include "observer_list.h"
+#include "process_memory.h"
 #include "run_merge.h"
 #include "splitsum/base/atomic_file.h"
 #include "splitsum/base/parallel.h"
@@ -27,7 +28,7 @@ LibraryRun library_run(const BakeOptions& options, const ContentCache* cache) {
     run.folder = options.output.path();
     run.table = {options.table.plan(), options.asset.encoding.container()};
     run.threads = ThreadLimit::in_force();
-    run.memory = options.effort.memory;
+    if (options.effort.memory) run.memory = *options.effort.memory - resident_bytes();
     run.force = options.effort.force;
     run.dry_run = options.effort.dry_run;
     run.cache = cache;
@@ -138,6 +139,7 @@ Result<ExitCode> run_library(const CLI::App& app, const BakeOptions& options, co
 
 Result<ExitCode> run_bake(CLI::App& app, const BakeOptions& options,
                           std::span<const std::string> command, Progress& terminal) {
+    if (const Status fit = check_together(options); !fit) return fit.error();
     const auto list = list_jobs(app, options);
     if (!list) return list.error();
     // A manifest may have set it after the program began.

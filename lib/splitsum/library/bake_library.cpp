@@ -1,7 +1,6 @@
 #include "splitsum/library/bake_library.h"
 
 #include "splitsum/base/parallel.h"
-#include "splitsum/base/staged_folder.h"
 #include "splitsum/base/text.h"
 #include "splitsum/library/library_work_detail.h"
 #include "splitsum/library/stopwatch.h"
@@ -22,11 +21,6 @@ Result<LibrarySummary> bake_library(std::span<const LibraryJob> jobs, const Libr
     if (const Status valid = validate(jobs, run.table); !valid) return valid.error();
     const auto shard = jobs_of(run.shard, jobs);
     if (!shard) return shard.error();
-    if (!run.dry_run) {
-        // Asked before the work; what was made for the question goes again.
-        const auto possible = StagedFolder::create(run.folder);
-        if (!possible) return possible.error();
-    }
     LibraryWork work(jobs, run, *shard, observer, progress);
     work.look_at_all();
     if (!run.dry_run)

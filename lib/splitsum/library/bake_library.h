@@ -86,8 +86,8 @@ struct LibrarySummary {
 /// one folder each sees complete results only.
 ///
 /// Progress: the stages of the bake where there is only one; else the observer tells.
-/// Fails, before anything is written, with bad_argument (two panoramas of one name, a plan or table
-/// that cannot work, a shard that is none) or unwritable_output.
+/// Fails, before anything is written, with bad_argument: two panoramas of one name, a plan or table
+/// that cannot work, a shard that is none.
 Result<LibrarySummary> bake_library(std::span<const LibraryJob> jobs, const LibraryRun& run,
                                     LibraryObserver& observer, Progress& progress);
 

@@ -3,10 +3,12 @@
 #include <new>
 
 #include "splitsum/base/parallel.h"
+#include "splitsum/base/staged_folder.h"
 #include "splitsum/base/temporary.h"
 #include "splitsum/base/text.h"
 #include "splitsum/library/freshness.h"
 #include "splitsum/library/library_work_detail.h"
+#include "splitsum/library/memory_of_bake.h"
 #include "splitsum/library/stopwatch.h"
 
 namespace splitsum {
@@ -69,9 +71,14 @@ Status LibraryWork::bake_the_rest() {
     std::vector<LibraryItem*> stale;
     for (LibraryItem& item : items_)
         if (item.outcome == Outcome::not_begun) stale.push_back(&item);
+    if (stale.empty() || progress_.cancelled()) return ok;
+    // Asked before the work; what was made for the question goes again.
+    if (const auto possible = StagedFolder::create(run_.folder); !possible) {
+        progress_.stop(possible.error());
+        return ok;
+    }
     if (stale.size() == 1) progress_.show_stages();
-    if (progress_.cancelled()) return ok;
-    const Status ran = run_jobs(schedule(stale), {run_.threads, run_.memory}, progress_);
+    const Status ran = run_jobs(schedule(stale), {run_.threads, memory_of_jobs()}, progress_);
     // What was interrupted is told by its items.
     return !ran && ran.error().kind != ErrorKind::interrupted ? ran : ok;
 }
@@ -86,6 +93,7 @@ std::vector<Job> LibraryWork::schedule(const std::vector<LibraryItem*>& stale) {
         const auto size = panorama_size(job.panorama.file, job.reading);
         if (!size) return settle(*stale[i], size.error());
         pixels[i] = splitsum::pixels_of(*size);
+        bytes[i] = memory_of_bake(*size, job.plan, run_.threads);
         if (const Status fits = check_memory(*stale[i], bytes[i]); !fits) settle(*stale[i], fits);
     });
     std::vector<Job> work;
@@ -101,13 +109,20 @@ std::vector<Job> LibraryWork::schedule(const std::vector<LibraryItem*>& stale) {
     return work;
 }
 
+// What the limit leaves beside what all bakes share.
+std::optional<int64_t> LibraryWork::memory_of_jobs() const {
+    if (!run_.memory) return std::nullopt;
+    return std::max<int64_t>(*run_.memory - memory_of_shared_tables, 0);
+}
+
 Status LibraryWork::check_memory(const LibraryItem& item, int64_t bytes) const {
-    if (!run_.memory || bytes <= *run_.memory) return ok;
-    return Error{ErrorKind::bad_argument,
-                 cat("baking ", job_of(item).panorama.file.string(), " may take ", mebibytes(bytes),
-                     "M of memory with ", run_.threads, " threads, and the limit leaves ",
-                     std::max<int64_t>(*run_.memory, 0) / mebibyte, "M; a limit that is ",
-                     mebibytes(bytes - *run_.memory), "M higher would do")};
+    const auto limit = memory_of_jobs();
+    if (!limit || bytes <= *limit) return ok;
+    return Error{
+        ErrorKind::bad_argument,
+        cat("baking ", job_of(item).panorama.file.string(), " may take ", mebibytes(bytes),
+            "M of memory with ", run_.threads, " threads, and the limit leaves ", *limit / mebibyte,
+            "M; a limit that is ", mebibytes(bytes - *limit), "M higher would do")};
 }
 
 void LibraryWork::bake(LibraryItem& item) {

@@ -34,6 +34,7 @@ private:
     std::filesystem::path folder_of(const LibraryItem& item) const;
     void look_at(LibraryItem& item);
     std::vector<Job> schedule(const std::vector<LibraryItem*>& stale);
+    std::optional<int64_t> memory_of_jobs() const;
     Status check_memory(const LibraryItem& item, int64_t bytes) const;
     void bake(LibraryItem& item);
     Status bake_guarded(LibraryItem& item);

@@ -40,10 +40,10 @@ struct Manifest {
 /// folders is looked up.
 ///
 /// The message of an Error has a line of its own for each of up to ten problems, each as
-/// "file:line: what was found, what would work". Fails with unreadable_input (absent, not UTF-8, over
-/// 16 MiB, nested too deeply, bad syntax) and bad_argument: unknown keys, wrong types, manifests
-/// that include each other in a circle or are included twice, two panoramas of one name, a
-/// manifest without panoramas.
+/// "file:line: what was found, what would work". Fails with unreadable_input (absent, not UTF-8,
+/// over 16 MiB, nested too deeply, bad syntax) and bad_argument: unknown keys, wrong types,
+/// manifests that include each other in a circle or are included twice, two panoramas of one name,
+/// a manifest without panoramas.
 ///
 /// Cost: about 15 us a panorama.
 Result<Manifest> read_manifest(const std::filesystem::path& path,

@@ -18,12 +18,12 @@ public:
     /// Where a key stands decides which options it may name.
     enum class Table { defaults, panorama };
 
-    /// Of the manifest `file`. All arguments must outlive the reader; `other_keys` are what tables of
-    /// panoramas may hold beside settings, for suggestions.
+    /// Of the manifest `file`. All arguments must outlive the reader; `other_keys` are what tables
+    /// of panoramas may hold beside settings, for suggestions.
     SettingReader(std::span<const KnownOption> options, std::span<const std::string> other_keys,
                   const std::filesystem::path& file, Problems& problems);
 
-    /// Adds the setting that `member` makes to `settings`, or what is wrong with it to the problems.
+    /// Adds the setting that `member` makes to `settings`, or what is wrong to the problems.
     void read(const ManifestValue& member, Table table, std::vector<Setting>& settings) const;
 
     /// Whether an option holds for the whole run.

@@ -58,6 +58,7 @@ Result<Panorama> read_panorama(const std::filesystem::path& path, const Panorama
 struct PanoramaSize {
     int width;
     int height;
+    int64_t reading_bytes = 0;  ///< memory that streaming the file takes, an upper bound
 };
 Result<PanoramaSize> panorama_size(const std::filesystem::path& path,
                                    const PanoramaOptions& options);

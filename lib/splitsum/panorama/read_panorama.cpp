@@ -193,7 +193,8 @@ Result<PanoramaSize> panorama_size(const fs::path& path, const PanoramaOptions& 
     const auto reader = ImageReader::open(path, options.layer);
     if (!reader) return reader.error();
     if (Status shape = check_shape(path, reader->info()); !shape) return shape.error();
-    return PanoramaSize{reader->info().width, reader->info().height};
+    const ImageFileInfo& info = reader->info();
+    return PanoramaSize{info.width, info.height, info.reading_bytes};
 }
 
 Result<Panorama> stream_panorama(const fs::path& path, const PanoramaOptions& options,

@@ -186,11 +186,11 @@ TEST_F(ContentCacheTest, RefusesCachesOfOthersAndOfOtherVersions) {
 
 TEST_F(ContentCacheTest, ManyProcessesMayMakeItAtOnce) {
     for (int round = 0; round < 10; ++round) {
-        std::vector<pid_t> children;
+        std::vector<Process> children;
         for (int i = 0; i < 8; ++i)
-            children.push_back(start_process(
-                [&] { return ContentCache::open(temporary_ / cat("new", round), 1000) ? 0 : 1; }));
-        for (const pid_t child : children) EXPECT_EQ(exit_code_of(child), 0);
+            children.emplace_back(
+                [&] { return ContentCache::open(temporary_ / cat("new", round), 1000) ? 0 : 1; });
+        for (Process& child : children) EXPECT_EQ(child.exit_code(), 0);
     }
 }
 

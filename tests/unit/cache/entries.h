@@ -5,12 +5,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "splitsum/base/text.h"
@@ -52,29 +54,48 @@ inline std::map<std::string, std::string> files_in(const std::filesystem::path& 
     return files;
 }
 
-/// Starts a process that ends with what `run` returns; it may not report failures in another way.
-template <class Run>
-pid_t start_process(const Run& run) {
-    const pid_t child = fork();
-    if (child != 0) return child;
-    try {
-        _exit(run());
-    } catch (const std::exception& error) {
-        fprintf(stderr, "%s\n", error.what());
-        _exit(98);
+/// A process that ends with what `run` returns, which may not report failures in another way. It is
+/// killed with the object if it still runs.
+class Process {
+public:
+    template <class Run>
+    explicit Process(const Run& run) : id_(fork()) {
+        if (id_ != 0) return;
+        try {
+            _exit(run());
+        } catch (const std::exception& error) {
+            fprintf(stderr, "%s\n", error.what());
+            _exit(98);
+        }
     }
-}
+    Process(Process&& other) noexcept : id_(std::exchange(other.id_, -1)) {}
+    Process& operator=(Process&& other) noexcept {
+        std::swap(id_, other.id_);
+        return *this;
+    }
+    ~Process() { (void)killed(); }
 
-/// The exit code of a process that was started, or 128 + the signal that ended it.
-inline int exit_code_of(pid_t child) {
-    int status = 0;
-    waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
+    /// Waits for the end: the exit code, or 128 + the signal that ended it.
+    int exit_code() {
+        int status = 0;
+        waitpid(std::exchange(id_, -1), &status, 0);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    }
+
+    /// The same after SIGKILL.
+    int killed() {
+        if (id_ <= 0) return -1;
+        kill(id_, SIGKILL);
+        return exit_code();
+    }
+
+private:
+    pid_t id_;
+};
 
 template <class Run>
 int in_a_process(const Run& run) {
-    return exit_code_of(start_process(run));
+    return Process(run).exit_code();
 }
 
 /// A cache in a folder that goes with the object, and room beside it.

