@@ -20,10 +20,14 @@ pkg_check_modules(zstd REQUIRED IMPORTED_TARGET libzstd)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
 pkg_check_modules(hwy REQUIRED IMPORTED_TARGET libhwy)
 pkg_check_modules(kissfft REQUIRED IMPORTED_TARGET kissfft-float)
+pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
+pkg_check_modules(jsoncpp REQUIRED IMPORTED_TARGET jsoncpp)
 add_library(kissfft ALIAS PkgConfig::kissfft)
 add_library(zstd ALIAS PkgConfig::zstd)
 add_library(xxhash ALIAS PkgConfig::xxhash)
 add_library(hwy::hwy ALIAS PkgConfig::hwy)
+add_library(tomlplusplus ALIAS PkgConfig::tomlplusplus)
+add_library(jsoncpp ALIAS PkgConfig::jsoncpp)
 
 # Debian 12's OpenImageIO names /usr/include/opencv4, which only libopencv-dev provides; CMake
 # refuses a missing include directory.

@@ -29,4 +29,19 @@ float splitsum_roughness_filament(float level, float last_level) {
     return lod / (1.0 + sqrt(1.0 - lod));
 }
 
+// The level of a list that names the perceptual roughness of each of its `levels` levels, 16 at most:
+// linear between neighbours, the first and the last level outside. Value i is list[i / 4][i % 4], which
+// is how 16 floats lie in a uniform block. Values never fall.
+float splitsum_level_of_list(float perceptual_roughness, vec4 list[4], int levels) {
+    float r = clamp(perceptual_roughness, 0.0, 1.0);
+    float level = 0.0;
+    for (int i = 1; i < 16; ++i) {
+        if (i >= levels) break;
+        float below = list[(i - 1) / 4][(i - 1) % 4];
+        float above = list[i / 4][i % 4];
+        if (r > below) level = float(i - 1) + min((r - below) / max(above - below, 1e-20), 1.0);
+    }
+    return level;
+}
+
 #endif

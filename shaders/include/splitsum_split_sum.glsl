@@ -45,6 +45,12 @@ vec3 splitsum_energy_compensation_of_multiscatter(vec3 f0, vec2 multiscatter) {
     return vec3(1.0) + f0 * lost_per_returned;
 }
 
+// What the surface reflects of uniform light with all bounces, in [0, 1]: what prefiltered light is
+// multiplied with.
+vec3 splitsum_reflectance(vec3 f0, vec2 split_sum) {
+    return splitsum_directional_albedo(f0, split_sum) * splitsum_energy_compensation(f0, split_sum);
+}
+
 // What light between the microfacets adds to the BRDF of a perfect reflector, from a table `energy`
 // (red: E, green: its average) read for the view and for the light (Kulla & Conty 2017).
 float splitsum_multiple_scattering(float energy_view, float energy_light, float average_energy) {

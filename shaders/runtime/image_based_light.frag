@@ -1,38 +1,47 @@
-// A complete fragment shader over the baked assets: diffuse and specular light of an environment.
-// Compiled as GLSL 4.50; for ES 3.00 replace the first two lines and give the inputs no locations.
-#version 450
-#extension GL_GOOGLE_include_directive : require
-
+// Diffuse and specular light of an environment from the baked cubemaps and the table `ggx`. World axes
+// are those of a viewer that looks down -z; other engines take their own line of
+// splitsum_directions.glsl.
+#include "interface.glsl"
+#include "splitsum_directions.glsl"
 #include "splitsum_levels.glsl"
+#include "splitsum_sampling.glsl"
 #include "splitsum_split_sum.glsl"
+#include "splitsum_surface.glsl"
 
-layout(location = 0) in vec3 world_normal;
-layout(location = 1) in vec3 world_view;  // from the surface towards the eye
+BETWEEN_STAGES(0) in vec3 world_normal;
+BETWEEN_STAGES(1) in vec3 world_view;
+BETWEEN_STAGES(2) in vec3 world_position;
 layout(location = 0) out vec4 radiance;
 
-layout(set = 0, binding = 0) uniform samplerCube specular_levels;
-layout(set = 0, binding = 1) uniform samplerCube irradiance_over_pi;
-layout(set = 0, binding = 2) uniform sampler2D split_sum_table;
-layout(set = 0, binding = 3) uniform Material {
+SAMPLER(0) uniform SPLITSUM_CUBE specular_levels;
+SAMPLER(1) uniform SPLITSUM_CUBE irradiance;
+SAMPLER(2) uniform SPLITSUM_TABLE split_sum_table;
+BLOCK(3) uniform Material {
     vec3 base_color;
     float metalness;
     float perceptual_roughness;
-    float last_level;
+    float last_level;         // number of levels less one
+    float radians_about_y;    // how far the environment is turned
 } material;
+
+vec3 cube_direction(vec3 world_direction) {
+    return splitsum_turned_environment(splitsum_cube_from_right_handed(world_direction),
+                                       material.radians_about_y);
+}
 
 void main() {
     vec3 normal = normalize(world_normal);
     vec3 view = normalize(world_view);
-    vec3 f0 = mix(vec3(0.04), material.base_color, material.metalness);
-    vec3 albedo = material.base_color * (1.0 - material.metalness);
-
-    vec2 split_sum = texture(split_sum_table,
-                             splitsum_table_coordinates(dot(normal, view),
-                                                        material.perceptual_roughness)).xy;
-    vec3 reflected = splitsum_directional_albedo(f0, split_sum) *
-                     splitsum_energy_compensation(f0, split_sum);
+    vec3 reflection = cube_direction(reflect(-view, normal));
     float level = splitsum_level_linear(material.perceptual_roughness, material.last_level);
-    vec3 specular = textureLod(specular_levels, reflect(-view, normal), level).rgb * reflected;
-    vec3 diffuse = texture(irradiance_over_pi, normal).rgb * albedo * (vec3(1.0) - reflected);
-    radiance = vec4(diffuse + specular, 1.0);
+
+    vec3 f0 = splitsum_f0(material.base_color, material.metalness);
+    vec2 coordinates = splitsum_table_coordinates(dot(normal, view), material.perceptual_roughness);
+    vec3 reflectance = splitsum_reflectance(f0, splitsum_read_table(split_sum_table, coordinates).rg);
+    vec3 albedo = splitsum_diffuse_albedo(material.base_color, material.metalness, reflectance);
+
+    radiance.rgb = splitsum_image_based_light(
+        splitsum_specular_light(specular_levels, reflection, level),
+        splitsum_irradiance_over_pi(irradiance, cube_direction(normal)), reflectance, albedo);
+    radiance.a = 1.0;
 }

@@ -31,6 +31,8 @@ EXTERNAL_PREFIXES = {
     "png.h": ["PNG::PNG"],
     "nlohmann/": ["nlohmann_json::nlohmann_json"],
     "CLI/": ["CLI11::CLI11"],
+    "toml++/": ["tomlplusplus"],
+    "json/": ["jsoncpp"],
 }
 # OpenEXR and Imath headers are also found without their folder.
 BARE_EXTERNALS = [

@@ -38,9 +38,9 @@ def reports(program, panoramas):
 
 
 def places(value, path=()):
-    """The path of everything in a JSON value, but for the keys of files, which may change."""
+    """The path of everything in a JSON value, but for keys of files and options, which may change."""
     yield path
-    if path[:1] == ("asked",) and len(path) == 2:
+    if path == ("settings",) or path[:1] == ("asked",) and len(path) == 2:
         return
     items = value.items() if isinstance(value, dict) else \
         enumerate(value) if isinstance(value, list) else ()

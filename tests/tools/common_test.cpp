@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <limits>
+
 #include "common/options.h"
 #include "common/progress_line.h"
 #include "common/run_tool.h"
@@ -23,21 +25,6 @@ std::string parse_failure(std::vector<std::string> arguments, const Parse& parse
     return "";
 }
 
-TEST(EditDistance, IsAMetricOnWords) {
-    EXPECT_EQ(edit_distance("--size", "--size"), 0u);
-    EXPECT_EQ(edit_distance("--sise", "--size"), 1u);
-    EXPECT_EQ(edit_distance("kitten", "sitting"), 3u);
-    EXPECT_EQ(edit_distance("", "abc"), 3u);
-    EXPECT_EQ(edit_distance("abc", ""), 3u);
-    const char* words[] = {"--size", "--samples", "--seed", "-o", "--method"};
-    for (const char* a : words)
-        for (const char* b : words) {
-            EXPECT_EQ(edit_distance(a, b), edit_distance(b, a));
-            for (const char* c : words)
-                EXPECT_LE(edit_distance(a, c), edit_distance(a, b) + edit_distance(b, c));
-        }
-}
-
 TEST(WholeNumber, TakesWholeNumbersInItsRangeOnly) {
     const CLI::Validator validator = whole_number(-2, 8192);
     for (std::string text : {"-2", "0", "+7", "8192", "007"})
@@ -52,6 +39,41 @@ TEST(FiniteNumber, RefusesWhatIsNotOne) {
     for (std::string text : {"-64", "0.5", "+1.5", "1e1"}) EXPECT_EQ(validator(text), "") << text;
     for (std::string text : {"nan", "inf", "-inf", "64.01", "1,5", "", "one"})
         EXPECT_NE(validator(text), "") << text;
+}
+
+TEST(ByteCount, TakesWholeNumbersWithAUnit) {
+    constexpr int64_t largest = std::numeric_limits<int64_t>::max();
+    int64_t bytes = 0;
+    const auto failure_of = [&](const std::string& text, int64_t lowest, int64_t highest) {
+        return parse_failure({"--size", text}, [&](CLI::App& app, const auto& parse) {
+            app.add_option("--size", bytes)->transform(byte_count(lowest, highest));
+            parse();
+        });
+    };
+    const std::pair<const char*, int64_t> sizes[] = {{"0", 0},
+                                                     {"1", 1},
+                                                     {"1000", 1000},
+                                                     {"3K", 3072},
+                                                     {"600M", 629145600},
+                                                     {"10G", 10737418240},
+                                                     {"2T", 2199023255552},
+                                                     {"9223372036854775807", largest},
+                                                     {"8388607T", 8388607 * (int64_t(1) << 40)}};
+    for (const auto& [text, expected] : sizes) {
+        EXPECT_EQ(failure_of(text, 0, largest), "");
+        EXPECT_EQ(bytes, expected) << text;
+        EXPECT_EQ(byte_count_text(expected), text);
+    }
+    for (const char* text :
+         {"", "-1", "-0K", "K", "1.5G", "1e3", "10g", "10GB", "10 G", "G10", "1KK", "0x10",
+          "9223372036854775808", "8388608T", "9007199254740992K", "nan"})
+        EXPECT_NE(failure_of(text, 0, largest), "") << text;
+    EXPECT_EQ(failure_of("256M", 256 << 20, 1 << 30), "");
+    EXPECT_EQ(failure_of("1G", 256 << 20, 1 << 30), "");
+    EXPECT_EQ(failure_of("255M", 256 << 20, 1 << 30),
+              "--size: '255M' is not a size from 256M to 1G: a whole number of bytes, or one with "
+              "K, M, G or T behind it; see tool --help");
+    EXPECT_NE(failure_of("1025M", 256 << 20, 1 << 30), "");
 }
 
 TEST(OrientationOptions, FillAPlan) {

@@ -20,8 +20,10 @@ void expect_same_files(const std::string& tool, std::vector<std::string> argumen
             all.push_back(more);
         const ProgramResult result = run_tool(tool, all);
         ASSERT_EQ(result.exit_code, 0) << result.err;
+        // But for what splitsum-bake notes of its sources, which has a time in it.
         for (const auto& [name, bytes] : snapshot_of(folder.path()))
-            files[run][std::filesystem::relative(name, folder.path()).string()] = bytes;
+            if (!name.ends_with("/.source"))
+                files[run][std::filesystem::relative(name, folder.path()).string()] = bytes;
         ++run;
     }
     ASSERT_EQ(files[0].size(), file_count);

@@ -15,18 +15,6 @@ namespace {
 
 constexpr const char* wiped_line = "\r\x1b[K";
 
-int terminal_width() {
-    winsize size{};
-    if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
-    return size.ws_col;
-}
-
-// One write a line, so that lines of several processes do not mix.
-void show(const std::string& text) {
-    std::fputs(text.c_str(), stderr);
-    std::fflush(stderr);
-}
-
 }  // namespace
 
 ProgressStyle progress_style(bool quiet) {
@@ -34,6 +22,17 @@ ProgressStyle progress_style(bool quiet) {
     const char* terminal = std::getenv("TERM");
     const bool can_redraw = terminal && std::strcmp(terminal, "dumb") != 0;
     return isatty(STDERR_FILENO) && can_redraw ? ProgressStyle::bar : ProgressStyle::lines;
+}
+
+int terminal_width() {
+    winsize size{};
+    if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
+    return size.ws_col;
+}
+
+void show_on_terminal(const std::string& text) {
+    std::fputs(text.c_str(), stderr);
+    std::fflush(stderr);
 }
 
 std::string progress_bar(std::string_view stage, int percent, int width) {
@@ -49,7 +48,7 @@ std::string progress_bar(std::string_view stage, int percent, int width) {
 }
 
 ProgressLine::~ProgressLine() {
-    if (style_ == ProgressStyle::bar && drawn_percent_ >= 0) show(wiped_line);
+    if (style_ == ProgressStyle::bar && drawn_percent_ >= 0) show_on_terminal(wiped_line);
 }
 
 void ProgressLine::begin(std::string_view stage, int steps) {
@@ -58,7 +57,7 @@ void ProgressLine::begin(std::string_view stage, int steps) {
     steps_ = std::max(steps, 1);
     done_ = 0;
     drawn_percent_ = -1;
-    if (style_ == ProgressStyle::lines) show(cat(stage_, "\n"));
+    if (style_ == ProgressStyle::lines) show_on_terminal(cat(stage_, "\n"));
     draw();
 }
 
@@ -73,7 +72,7 @@ void ProgressLine::draw() {
     const int percent = static_cast<int>(100LL * done_ / std::max(steps_, 1));
     if (percent == drawn_percent_) return;
     drawn_percent_ = percent;
-    show(cat("\r", progress_bar(stage_, percent, terminal_width()), "\x1b[K"));
+    show_on_terminal(cat("\r", progress_bar(stage_, percent, terminal_width()), "\x1b[K"));
 }
 
 }  // namespace splitsum::tools

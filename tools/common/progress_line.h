@@ -46,6 +46,12 @@ private:
     int drawn_percent_ = -1;
 };
 
+/// Columns of the terminal on stderr; 80 where it does not say.
+int terminal_width();
+
+/// Writes to stderr in one piece, so that lines of several processes do not mix.
+void show_on_terminal(const std::string& text);
+
 /// The bar as it is drawn: the stage, a bar and a percentage in at most `width` columns; the bar is
 /// left out where it would have fewer than ten.
 std::string progress_bar(std::string_view stage, int percent, int width);

@@ -54,14 +54,6 @@ void complete_help(CLI::App& app) {
     app.footer(cat(example, example.empty() ? "" : "\n\n", exit_code_help()));
 }
 
-// Messages of third parties may span lines; a tool's message is one.
-std::string one_line(std::string text) {
-    while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
-    for (size_t i = text.find('\n'); i != std::string::npos; i = text.find('\n', i))
-        text.replace(i, 1, "; ");
-    return text;
-}
-
 int complain(const CLI::App& app, const std::string& message, ExitCode code) {
     std::cerr << cat(app.get_name(), ": ", one_line(message), "\n") << std::flush;
     return static_cast<int>(code);
@@ -89,6 +81,13 @@ Result<ExitCode> run_guarded(const CommonOptions& common, const Body& body) {
 }
 
 }  // namespace
+
+std::string one_line(std::string text) {
+    while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+    for (size_t i = text.find('\n'); i != std::string::npos; i = text.find('\n', i))
+        text.replace(i, 1, "; ");
+    return text;
+}
 
 int run_tool(CLI::App& app, int argc, char** argv, const Body& body) {
     const CommonOptions common(app);

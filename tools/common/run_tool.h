@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include <functional>
+#include <string>
 
 #include "common/exit_code.h"
 #include "splitsum/base/progress.h"
@@ -22,5 +23,8 @@ int run_tool(CLI::App& app, int argc, char** argv,
 
 /// The same for a body that has no exit code of its own.
 int run_tool(CLI::App& app, int argc, char** argv, const std::function<Status(Progress&)>& body);
+
+/// The text on one line, without blanks at its end: messages of third parties may span several.
+std::string one_line(std::string text);
 
 }  // namespace splitsum::tools

@@ -1,9 +1,8 @@
 #include "common/usage_error.h"
 
-#include <algorithm>
-#include <numeric>
 #include <vector>
 
+#include "splitsum/base/edit_distance.h"
 #include "splitsum/base/text.h"
 
 namespace splitsum::tools {
@@ -22,11 +21,8 @@ std::vector<std::string> option_names(const CLI::App& app) {
 std::string unknown_option(const CLI::App& app, const std::string& argument) {
     const std::string typed = argument.substr(0, argument.find('='));
     const std::vector<std::string> names = option_names(app);
-    const auto nearest = std::ranges::min_element(
-        names, {}, [&](const std::string& name) { return edit_distance(typed, name); });
-    const bool is_near =
-        nearest != names.end() && edit_distance(typed, *nearest) <= 1 + typed.size() / 3;
-    return cat("there is no option ", typed, is_near ? "; did you mean " + *nearest + "?" : "");
+    const auto nearest = nearest_name(typed, names);
+    return cat("there is no option ", typed, nearest ? "; did you mean " + *nearest + "?" : "");
 }
 
 std::string unexpected_argument(const CLI::App& app, const std::string& argument) {
@@ -54,22 +50,6 @@ std::string problem_with_arguments(const CLI::App& app, const CLI::ParseError& e
 }
 
 }  // namespace
-
-size_t edit_distance(std::string_view from, std::string_view to) {
-    // row[j]: the distance from the part of `from` seen so far to the first j letters of `to`.
-    std::vector<size_t> row(to.size() + 1);
-    std::iota(row.begin(), row.end(), size_t{0});
-    for (size_t i = 0; i < from.size(); ++i) {
-        size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (size_t j = 0; j < to.size(); ++j) {
-            const size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-        }
-    }
-    return row.back();
-}
 
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
     const std::string problem = problem_with_arguments(app, error);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "splitsum/base/text.h"
@@ -23,6 +24,22 @@ std::optional<Number> parse_number(std::string_view text) {
 bool is_whole_number(const std::string& text, int64_t lowest, int64_t highest) {
     const auto number = parse_number<int64_t>(text);
     return number && *number >= lowest && *number <= highest;
+}
+
+constexpr std::string_view units = "KMGT";
+
+// The bytes that "600M" stands for; nothing where they are no size or more than an int64_t holds.
+std::optional<int64_t> parse_bytes(std::string_view text) {
+    size_t unit = 0;
+    if (!text.empty() && units.find(text.back()) != units.npos) {
+        unit = units.find(text.back()) + 1;
+        text.remove_suffix(1);
+    }
+    const auto number = parse_number<int64_t>(text);
+    const int64_t factor = int64_t(1) << (10 * unit);
+    if (!number || text.starts_with('-') || *number > std::numeric_limits<int64_t>::max() / factor)
+        return std::nullopt;
+    return *number * factor;
 }
 
 }  // namespace
@@ -55,6 +72,26 @@ CLI::Validator finite_number(double lowest, double highest) {
             return cat("'", text, "' is not a number from ", lowest, " to ", highest);
         },
         "");
+}
+
+CLI::Validator byte_count(int64_t lowest, int64_t highest) {
+    return CLI::Validator(
+        [=](std::string& text) -> std::string {
+            const auto bytes = parse_bytes(text);
+            if (!bytes || *bytes < lowest || *bytes > highest)
+                return cat("'", text, "' is not a size from ", byte_count_text(lowest), " to ",
+                           byte_count_text(highest),
+                           ": a whole number of bytes, or one with K, M, G or T behind it");
+            text = std::to_string(*bytes);
+            return {};
+        },
+        "");
+}
+
+std::string byte_count_text(int64_t bytes) {
+    size_t unit = 0;
+    for (; unit < units.size() && bytes != 0 && bytes % 1024 == 0; ++unit) bytes /= 1024;
+    return unit == 0 ? cat(bytes) : cat(bytes, units[unit - 1]);
 }
 
 CLI::Validator not_empty() {

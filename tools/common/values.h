@@ -20,6 +20,17 @@ CLI::Validator whole_number_or_auto(int64_t lowest, int64_t highest);
 /// Accepts finite decimal numbers from `lowest` to `highest`.
 CLI::Validator finite_number(double lowest, double highest);
 
+/// Accepts sizes from `lowest` to `highest` bytes and, given to transform() of an option, replaces
+/// them with the number of bytes: a whole number, alone or with K, M, G or T behind it for powers
+/// of 1024. "600M" is 629145600.
+CLI::Validator byte_count(int64_t lowest, int64_t highest);
+
+/// How --help names such a value.
+inline constexpr const char* byte_count_name = "BYTES[K|M|G|T]";
+
+/// A size in the fewest digits that byte_count() reads back to it: "600M", "1000", "1".
+std::string byte_count_text(int64_t bytes);
+
 /// Accepts every text but the empty one.
 CLI::Validator not_empty();
 

@@ -7,7 +7,7 @@
 #include "splitsum/base/atomic_file.h"
 #include "splitsum/base/text.h"
 #include "splitsum/filter/methods.h"
-#include "splitsum/report/certificate.h"
+#include "splitsum/report/certificate_check.h"
 #include "splitsum/report/figures_json.h"
 #include "splitsum/report/figures_text.h"
 
@@ -85,14 +85,6 @@ void CubemapOutputOptions::print(const std::vector<LevelCheck>& checks,
         std::cout << figures_line(cat("level ", i), checks[i],
                                   i < accounts.size() ? &accounts[i] : nullptr);
     std::cout << path_.string() << "\n";
-}
-
-std::vector<LevelCheck> check_asset(const std::vector<Cubemap>& levels, const AssetFacts& facts,
-                                    std::span<const ExactTexels> exact) {
-    if (facts.kind == AssetFacts::Kind::specular)
-        return check_chain(levels, facts.perceptual_roughness, exact);
-    return {
-        check_diffuse(levels[0], exact.empty() ? ExactTexels() : exact[0], stored_factor(facts))};
 }
 
 Result<std::vector<LevelCheck>> check_cubemap_asset(const std::vector<Cubemap>& levels,

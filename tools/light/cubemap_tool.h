@@ -57,12 +57,7 @@ private:
     bool json_ = false;
 };
 
-/// The figures of a specular chain or an irradiance cubemap beside the exact texels of its levels;
-/// of none if `exact` is empty.
-std::vector<LevelCheck> check_asset(const std::vector<Cubemap>& levels, const AssetFacts& facts,
-                                    std::span<const ExactTexels> exact);
-
-/// The same at probes of the environment it was made from; none for 0 probes.
+/// check_asset at probes of the environment that the asset was made from; of none for 0 probes.
 Result<std::vector<LevelCheck>> check_cubemap_asset(const std::vector<Cubemap>& levels,
                                                     const AssetFacts& facts,
                                                     const Environment& environment, int probes,

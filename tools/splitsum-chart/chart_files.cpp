@@ -56,7 +56,8 @@ Result<std::string> write_chart_files(const Chart& chart, const fs::path& folder
     const Status written =
         write_text_whole(staged->path() / "chart.html", chart_page(chart, pictures, missing));
     if (!written) return written.error();
-    if (const Status published = staged->publish(); !published) return published.error();
+    if (const Status published = staged->publish("chart.html"); !published)
+        return published.error();
     return missing;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "light/cubemap_tool.h"
+#include "splitsum/report/certificate_check.h"
 
 namespace splitsum::tools {
 namespace {

@@ -81,7 +81,8 @@ Result<Atlas> make_atlas(const AtlasPlan& plan, const fs::path& folder, Progress
         return written.error();
     std::error_code failure;
     fs::remove_all(scratch, failure);
-    if (const Status published = staged->publish(); !published) return published.error();
+    if (const Status published = staged->publish("atlas.html"); !published)
+        return published.error();
     return atlas;
 }
 

@@ -4,6 +4,7 @@
 
 #include "splitsum/assets/cubemap_asset.h"
 #include "splitsum/bake/facts.h"
+#include "splitsum/bake/recipe.h"
 #include "splitsum/base/atomic_file.h"
 #include "splitsum/base/staged_folder.h"
 #include "splitsum/base/text.h"
@@ -120,7 +121,7 @@ Status write_files(const BakedAssets& assets, const BakePlan& plan,
     for (const auto& [name, text] : {std::pair("report.txt", report_text(report)),
                                      std::pair("report.json", report_json(report))})
         if (const Status done = write_text_whole(staged->path() / name, text); !done) return done;
-    return staged->publish();
+    return staged->publish("report.json", {"contact.png"});
 }
 
 }  // namespace
@@ -142,7 +143,12 @@ LightUse light_use(const BakePlan& plan, std::shared_ptr<FilterTables> tables) {
 Result<BakeReport> bake(const Light& light, const BakePlan& plan,
                         const std::filesystem::path& folder, Progress& progress) {
     if (const Status valid = validate(plan); !valid) return valid.error();
+    ConfigHashes configs;
+    auto settings = settings_of(light.reading, plan, configs);
+    if (!settings) return settings.error();
     BakeReport report;
+    report.recipe = recipe_of(light.source.name, light.source.hash, *settings);
+    report.settings = std::move(*settings);
     report.source = light.source;
     report.source_width = light.width;
     report.source_height = light.height;

@@ -35,10 +35,12 @@ LightUse light_use(const BakePlan& plan, std::shared_ptr<FilterTables> tables);
 
 /// The main job: filters the light, stores specular.ktx2, irradiance.ktx2, harmonics.json and
 /// contact.png in `folder` (made if it is missing), measures what was stored, writes a
-/// certificate of it into the textures, and report.json and report.txt last. Each file appears whole or not at all; nothing is written before all of the
-/// light is computed and measured.
+/// certificate of it into the textures, and says what was done in report.txt and report.json. The
+/// files appear together, report.json last (StagedFolder): a folder that has one is complete.
+/// Nothing is written before all of the light is computed and measured.
 ///
-/// Fails with bad_argument, unwritable_output or interrupted.
+/// Fails with bad_argument, unwritable_output, interrupted, or unreadable_input (the OpenColorIO
+/// config of light.reading is gone).
 Result<BakeReport> bake(const Light& light, const BakePlan& plan,
                         const std::filesystem::path& folder, Progress& progress);
 

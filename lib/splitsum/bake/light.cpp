@@ -66,6 +66,7 @@ Result<Light> stream(const std::filesystem::path& path, const PanoramaOptions& o
     light.exact = std::move(builders->exact).finish();
     light.readings = std::move(builders->readings).finish();
     light.source = source_facts(*panorama);
+    light.reading = panorama->reading;
     light.width = 2 * height;
     light.height = height;
     light.notes = panorama->notes;
@@ -141,6 +142,7 @@ Result<ReconstructionProbes> exact_readings(const Light& light, const LevelsPlan
 Light light_of(const Panorama& panorama, std::shared_ptr<FilterTables> tables) {
     Light light{Environment(panorama.pixels), std::move(tables)};
     light.source = source_facts(panorama);
+    light.reading = panorama.reading;
     light.width = panorama.pixels.width;
     light.height = panorama.pixels.height;
     light.notes = panorama.notes;

@@ -30,7 +30,8 @@ struct Light {
     std::optional<ReconstructionProbes> readings{};
 
     SourceFacts source{};
-    int width = 0;  ///< of the panorama
+    PanoramaOptions reading{};  ///< how the panorama was read
+    int width = 0;              ///< of the panorama
     int height = 0;
     std::vector<std::string> notes{};
 

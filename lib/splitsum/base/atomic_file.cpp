@@ -8,6 +8,8 @@
 #include <cstring>
 #include <string>
 
+#include "splitsum/base/file_lock.h"
+#include "splitsum/base/temporary.h"
 #include "splitsum/base/text.h"
 
 namespace splitsum {
@@ -19,20 +21,8 @@ Error unwritable(const fs::path& path, const std::string& reason) {
     return {ErrorKind::unwritable_output, cat("cannot write ", path.string(), ": ", reason)};
 }
 
-// The process id keeps two processes that write the same file apart.
-fs::path temporary_beside(const fs::path& path) {
-    fs::path name = path;
-    name += cat(".", getpid(), ".part");
-    return name;
-}
-
-Status flush_to_disk(const fs::path& file) {
-    const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) return unwritable(file, std::strerror(errno));
-    const int failure = fsync(descriptor) != 0 ? errno : 0;
-    close(descriptor);
-    if (failure != 0) return unwritable(file, std::strerror(failure));
-    return ok;
+fs::path folder_of(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
 Status write_all(const fs::path& file, const std::byte* data, size_t size) {
@@ -58,7 +48,7 @@ Status check_writable(const fs::path& path) {
     std::error_code failure;
     if (fs::exists(path, failure) && !fs::is_regular_file(path, failure))
         return unwritable(path, "it exists and is not a regular file");
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    const fs::path folder = folder_of(path);
     if (!fs::is_directory(folder, failure))
         return unwritable(path, cat("the folder ", folder.string(), " does not exist"));
     if (access(folder.c_str(), W_OK) != 0)
@@ -66,16 +56,31 @@ Status check_writable(const fs::path& path) {
     return ok;
 }
 
+Status flush_to_disk(const fs::path& file_or_folder) {
+    const int descriptor = open(file_or_folder.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) return unwritable(file_or_folder, std::strerror(errno));
+    const int failure = fsync(descriptor) != 0 ? errno : 0;
+    close(descriptor);
+    // EINVAL: the file system does this for files only.
+    if (failure != 0 && failure != EINVAL)
+        return unwritable(file_or_folder, std::strerror(failure));
+    return ok;
+}
+
 Status write_file_whole(const fs::path& path,
-                        const std::function<Status(const fs::path& temporary)>& write) {
+                        const std::function<Status(const fs::path& temporary)>& write,
+                        Durability durability) {
     if (const Status possible = check_writable(path); !possible) return possible;
     std::error_code failure;
     // Renaming over a link would replace the link, not what it points to.
     const fs::path target =
         fs::is_symlink(path, failure) ? fs::weakly_canonical(path, failure) : path;
-    const fs::path temporary = temporary_beside(target);
+    remove_leftovers(folder_of(target));
+    const fs::path temporary = folder_of(target) / temporary_name();
+    const auto alive = FileLock::wait_for(temporary);
+    if (!alive) return alive.error();
     Status status = write(temporary);
-    if (status) status = flush_to_disk(temporary);
+    if (status && durability == Durability::flushed) status = flush_to_disk(temporary);
     if (status) {
         fs::rename(temporary, target, failure);
         if (failure) status = unwritable(path, failure.message());
@@ -84,14 +89,16 @@ Status write_file_whole(const fs::path& path,
     return status;
 }
 
-Status write_bytes_whole(const fs::path& path, std::span<const std::byte> bytes) {
-    return write_file_whole(path, [&](const fs::path& temporary) {
+Status write_bytes_whole(const fs::path& path, std::span<const std::byte> bytes,
+                         Durability durability) {
+    const auto write = [&](const fs::path& temporary) {
         return write_all(temporary, bytes.data(), bytes.size());
-    });
+    };
+    return write_file_whole(path, write, durability);
 }
 
-Status write_text_whole(const fs::path& path, std::string_view text) {
-    return write_bytes_whole(path, std::as_bytes(std::span(text.data(), text.size())));
+Status write_text_whole(const fs::path& path, std::string_view text, Durability durability) {
+    return write_bytes_whole(path, std::as_bytes(std::span(text.data(), text.size())), durability);
 }
 
 Status make_folder(const fs::path& folder) {

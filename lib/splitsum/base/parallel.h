@@ -37,6 +37,13 @@ void run_both(const First& first, const Second& second) {
     tbb::parallel_invoke(first, second);
 }
 
+/// Runs work so that a thread which waits inside it, for the last rows of a loop, does nothing else
+/// meanwhile: needed where work holds what other work of the same thread may ask for.
+template <class Work>
+auto run_alone(const Work& work) {
+    return tbb::this_task_arena::isolate(work);
+}
+
 /// Makes one item after another and takes them in the same order, the next ones being made while
 /// one is taken: this lasts as long as the slower of the two alone. With one thread they alternate.
 ///
@@ -49,14 +56,13 @@ void make_and_take(std::span<Item> items, const Make& make, const Take& take) {
     size_t made = 0;
     // A loop inside `take` that waits for its last rows must not go off and make an item, or the
     // other way round.
-    const auto alone = [](const auto& work) { return tbb::this_task_arena::isolate(work); };
     const auto next = [&](tbb::flow_control& flow) -> Item* {
         Item* const item = &items[made++ % items.size()];
-        if (!wanted || !alone([&] { return make(*item); })) flow.stop();
+        if (!wanted || !run_alone([&] { return make(*item); })) flow.stop();
         return item;
     };
     const auto use = [&](Item* item) {
-        if (wanted && !alone([&] { return take(*item); })) wanted = false;
+        if (wanted && !run_alone([&] { return take(*item); })) wanted = false;
     };
     constexpr auto one_by_one = tbb::filter_mode::serial_in_order;
     tbb::parallel_pipeline(items.size(), tbb::make_filter<void, Item*>(one_by_one, next) &

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -16,6 +17,19 @@ enum class ErrorKind {
     interrupted,        ///< the caller asked to stop
     internal,           ///< our own fault
 };
+
+/// As it is spelt above, for reports that programs read.
+constexpr std::string_view name_of(ErrorKind kind) {
+    switch (kind) {
+        case ErrorKind::bad_argument: return "bad_argument";
+        case ErrorKind::unreadable_input: return "unreadable_input";
+        case ErrorKind::unwritable_output: return "unwritable_output";
+        case ErrorKind::unusable_input: return "unusable_input";
+        case ErrorKind::interrupted: return "interrupted";
+        case ErrorKind::internal: return "internal";
+    }
+    return "";
+}
 
 /// Why an operation failed: a kind the caller can branch on, and a sentence a user can act on that
 /// says what was asked, what was found and what would work.

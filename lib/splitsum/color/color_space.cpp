@@ -89,8 +89,8 @@ Status ColorConfig::State::find_working_space() {
     default_space = scene_linear ? scene_linear : interchange;
     joined_through_aces = builtin && interchange;
     if (builtin && !interchange)
-        note = cat(name(), " has no role aces_interchange: its scene_linear space '", default_space,
-                   "' was taken for linear Rec.709");
+        note = cat("the OpenColorIO config has no role aces_interchange: its scene_linear space '",
+                   default_space, "' was taken for linear Rec.709");
     return ok;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <map>
 #include <memory>
@@ -15,9 +16,13 @@ namespace splitsum {
 
 /// What filters need that depends on lobes and sizes but not on the light, made when it is first
 /// asked for and kept, so that the panoramas of a run pay for it once. What is returned does not
-/// depend on what was asked for before. Safe to use from many threads.
+/// depend on what was asked for before.
 ///
-/// Memory: 8 bytes a band factor; the last four geometries.
+/// Safe to use from many threads: who asks for a table that another thread is making waits for it,
+/// and nobody else does.
+///
+/// Memory: 8 bytes a band factor; the last four geometries of up to 4 MB. Larger ones are kept by
+/// those who use them.
 class FilterTables {
 public:
     using Factors = std::shared_ptr<const std::vector<double>>;
@@ -30,6 +35,16 @@ public:
     Geometry area_geometry(int height, int face_size, const Mat3d& panorama_from_cube);
 
 private:
+    // A table that is made once, by whoever asks first.
+    template <class Table>
+    struct Entry {
+        std::mutex making;
+        std::shared_ptr<const Table> kept;
+        std::weak_ptr<const Table> used;
+    };
+    template <class Table, class Make>
+    static std::shared_ptr<const Table> made_once(Entry<Table>& entry, bool keep, const Make& make);
+
     struct GeometryOf {
         int height;
         int face_size;
@@ -37,10 +52,13 @@ private:
 
         bool operator==(const GeometryOf&) const = default;
     };
+    using FactorsEntry = Entry<std::vector<double>>;
+    using GeometryEntry = std::shared_ptr<Entry<AreaGeometry>>;
+    GeometryEntry entry_of(const GeometryOf& geometry);
 
-    std::mutex mutex_;
-    std::map<std::pair<std::pair<LobeKind, double>, int>, Factors> factors_;
-    std::deque<std::pair<GeometryOf, Geometry>> geometries_;
+    std::mutex mutex_;  // of the lists, not of what they hold
+    std::map<std::pair<std::pair<LobeKind, double>, int>, FactorsEntry> factors_;
+    std::deque<std::pair<GeometryOf, GeometryEntry>> geometries_;
 };
 
 }  // namespace splitsum

@@ -66,6 +66,8 @@ struct FilterMethod {
     /// what `source` refers to must outlive the result.
     std::unique_ptr<PreparedFilter> (*prepare)(const FilterSource& source,
                                                std::span<const Lobe> lobes, const FilterPlan& plan);
+    bool draws_points = false;   ///< FilterPlan::sequence matters
+    bool weighs_points = false;  ///< FilterPlan::heuristic matters
 };
 
 /// Every method: --help, tests and benchmarks iterate this table.

@@ -100,6 +100,33 @@ std::optional<std::array<float, 8>> chromaticities_of(const OIIO::ImageSpec& spe
     return values;
 }
 
+// Rows that an EXR file packs together, which is how a decoder unpacks them.
+int packet_rows(const OIIO::ImageSpec& spec) {
+    if (spec.tile_width > 0) return spec.tile_height;
+    const std::string compression = spec.get_string_attribute("compression");
+    if (compression.starts_with("dwab")) return 256;
+    return compression.starts_with("zip") ? 16 : 32;
+}
+
+// Three bands on their way (read_rows), one with the values of the file, and what the decoder holds:
+// OpenEXR three copies of two packets a thread.
+int64_t reading_bytes_of(const OIIO::ImageSpec& spec) {
+    int64_t rows = 0, file_rows = 0;
+    for (const Band& band : bands_of(spec)) {
+        const auto [begin, end] = file_rows_of(spec, band);
+        rows = std::max<int64_t>(rows, band.row_count);
+        file_rows = std::max<int64_t>(file_rows, end - begin);
+    }
+    constexpr int64_t widened = sizeof(float);
+    const int64_t file_row = static_cast<int64_t>(spec.pixel_bytes(true)) * spec.width;
+    const bool as_stored = spec.format == OIIO::TypeFloat && spec.tile_width == 0;
+    const int64_t values =
+        as_stored ? 0 : file_rows * std::min(spec.nchannels, 16) * widened * spec.width;
+    const bool is_packed = !spec.get_string_attribute("compression").empty();
+    const int64_t packed = is_packed ? 6 * ThreadLimit::available() * packet_rows(spec) : file_rows;
+    return 3 * rows * 3 * widened * spec.full_width + values + packed * file_row;
+}
+
 ImageFileInfo info_of(const OIIO::ImageInput& file, const OIIO::ImageSpec& spec) {
     ImageFileInfo info;
     info.width = spec.full_width;
@@ -112,6 +139,7 @@ ImageFileInfo info_of(const OIIO::ImageInput& file, const OIIO::ImageSpec& spec)
     if (info.format_name == "pnm" && info.floating_point) info.color_space = "Linear";
     info.chromaticities = chromaticities_of(spec);
     info.notes = window_notes(spec);
+    info.reading_bytes = reading_bytes_of(spec);
     return info;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -24,6 +25,7 @@ struct ImageFileInfo {
     std::string color_space;  ///< what the file says ("sRGB", "Linear", ...), "" if nothing
     std::optional<std::array<float, 8>> chromaticities;  ///< x, y of red, green, blue, white
     std::vector<std::string> notes;  ///< what was ignored or filled in, a sentence each
+    int64_t reading_bytes = 0;       ///< memory that ImageReader::read_rows takes, an upper bound
 };
 
 /// Takes rows from the top down: `rgb` holds `row_count` whole rows of the display window, which are

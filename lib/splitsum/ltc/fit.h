@@ -7,23 +7,24 @@ namespace splitsum {
 
 /// How finely a fit looks. The defaults are what the stated figures were measured with.
 struct LtcFitPlan {
-    int nodes = 20;          ///< along each side of the two squares that directions come from
-    int order = 6;           ///< highest band of the harmonics that compare the lobes
-    int rounds = 2;          ///< how often directions are placed anew around the lobe so far
+    int nodes = 16;          ///< along each side of the two squares that directions come from
+    int rounds = 1;          ///< how often directions are placed anew around the lobe so far
     int steps = 12;          ///< at most, of Levenberg-Marquardt in each round
     double accuracy = 1e-5;  ///< a round ends with a step below this, in units of the parameters
 };
 
 /// The shape that stands for `target` best, from `start` on: a lobe near by, such as that of the
-/// neighbour in a table. Polygonal lights see integrals of a lobe over their area, so what is
-/// minimised is the difference e of the two densities as integrals see it,
+/// neighbour in a table. A light sees the integral of a lobe over the directions that it covers, so
+/// what is minimised is, with e the difference of the two densities,
 ///
-///     sum over bands l of (<e, Y_lm>² over the world + 1/4 <e, Y_lm>² over cosine space) / (l + 1/2)²
-///       + 0.0003 ∫ e² / (mean of the densities) + 0.0001 tilt²
+///     integral of e(x) e(y) k(x, y) over x and y + 1e-5 ∫ e² / (mean of the densities) + 3e-6 tilt²,
+///     k(x, y) = (1 + x.z / 6) (1 + y.z / 6) / (1 + |x - y|)
 ///
+/// With k the chance that a light covers both x and y, the integral is the mean square of the error of
+/// a shaded value. Here k is a fit, positive definite, to that chance for the lights of the README.
 /// (Heitz et al. 2016 minimise ∫ |e|³, which follows the peak: shaded polygons then miss by three to
-/// four times as much.) The second space sees narrow lobes as it sees wide ones; chi² keeps in place
-/// what no harmonic sees, and the last term the cut-off of narrow lobes, which nothing sees.
+/// four times as much.) The other terms keep in place what no light sees, above all the cut-off of
+/// narrow lobes.
 /// Integrals by two sets of directions, one that follows the target and one that follows the lobe,
 /// joined by the balance heuristic (Veach & Guibas 1995).
 ///

@@ -4,15 +4,13 @@
 #include <limits>
 
 #include "splitsum/brdf/lambert.h"
-#include "splitsum/math/harmonics.h"
 #include "splitsum/math/quadrature.h"
 
 namespace splitsum {
 namespace {
 
-constexpr double share_of_cosine_space = 0.5;
-constexpr double share_of_chi2 = 3e-4;
-constexpr double share_of_tilt = 1e-4;
+constexpr double share_of_chi2 = 1e-5;
+constexpr double share_of_tilt = 3e-6;
 constexpr double largest_tilt = 1.5;  // beyond pi / 2 the lobe is turned inside out
 
 // Directions that follow a transformed cosine, over the half y >= 0, and their weights in u.
@@ -25,20 +23,20 @@ void visit_cosine_nodes(int count, const Visit& visit) {
                   0.125 * rule.weights[i] * rule.weights[j]);
 }
 
-// Harmonics that are even in y, the others are blind to lobes that are.
-std::vector<size_t> even_harmonics(int order) {
-    std::vector<size_t> indices;
-    for (int l = 0; l <= order; ++l)
-        for (int m = 0; m <= l; ++m) indices.push_back(harmonic_index(l, m));
-    return indices;
-}
+// The chance that a light that covers one direction covers another, `distance` apart as points on the
+// unit sphere (fit_ltc).
+double covered_together(double distance2) { return 1 / (1 + std::sqrt(distance2)); }
 
-double dot_product(const double* a, const double* b, size_t count) {
+// Fewer lights reach below the horizon.
+double lights_towards(const Vec3d& direction) { return 1 + direction.z / 6; }
+
+template <class Number>
+double dot_product(const Number* a, const double* b, size_t count) {
     double sums[4] = {0, 0, 0, 0};
     size_t i = 0;
     for (; i + 4 <= count; i += 4)
-        for (size_t lane = 0; lane < 4; ++lane) sums[lane] += a[i + lane] * b[i + lane];
-    for (; i < count; ++i) sums[0] += a[i] * b[i];
+        for (size_t lane = 0; lane < 4; ++lane) sums[lane] += double(a[i + lane]) * b[i + lane];
+    for (; i < count; ++i) sums[0] += double(a[i]) * b[i];
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
@@ -54,7 +52,7 @@ LobeDifference::LobeDifference(const TargetLobe& target, const LtcShape& around,
     visit_cosine_nodes(plan.nodes, [&](const Vec3d& node, double weight) {
         add_direction(target, inverse, normalize(from_cosine_space(inverse, node)), weight);
     });
-    make_harmonics(inverse, plan.order);
+    make_kernel();
 }
 
 void LobeDifference::add_direction(const TargetLobe& target, const LtcInverse& around,
@@ -69,33 +67,38 @@ void LobeDifference::add_direction(const TargetLobe& target, const LtcInverse& a
     chi_weights_.push_back(share_of_chi2 * weights_.back() * 2 / (density + lobe));
 }
 
-void LobeDifference::make_harmonics(const LtcInverse& around, int order) {
-    const std::vector<size_t> indices = even_harmonics(order);
+// Lobes are even in y, so each direction stands for its mirror image as well.
+void LobeDifference::make_kernel() {
     const size_t count = directions_.size();
-    harmonics_.resize(2 * indices.size() * count);
-    std::vector<double> values(harmonic_count(order));
-    for (size_t i = 0; i < count; ++i)
-        for (const bool in_cosine_space : {false, true}) {
-            const Vec3d direction = in_cosine_space
-                                        ? normalize(to_cosine_space(around, directions_[i]))
-                                        : directions_[i];
-            evaluate_harmonics(direction, order, values);
-            const size_t first_row = in_cosine_space ? indices.size() : 0;
-            const double weight = weights_[i] * (in_cosine_space ? share_of_cosine_space : 1);
-            for (size_t row = 0; row < indices.size(); ++row) {
-                const double band = std::floor(std::sqrt(static_cast<double>(indices[row])));
-                harmonics_[(first_row + row) * count + i] =
-                    weight / (band + 0.5) * values[indices[row]];
-            }
+    std::vector<double> x(count), y(count), z(count), factor(count);
+    for (size_t i = 0; i < count; ++i) {
+        x[i] = directions_[i].x;
+        y[i] = directions_[i].y;
+        z[i] = directions_[i].z;
+        factor[i] = weights_[i] * lights_towards(directions_[i]);
+    }
+    kernel_.resize(count * (count + 1) / 2);
+    float* row = kernel_.data();
+    for (size_t i = 0; i < count; ++i) {
+        for (size_t j = 0; j <= i; ++j) {
+            const double in_plane = (x[i] - x[j]) * (x[i] - x[j]) + (z[i] - z[j]) * (z[i] - z[j]);
+            const double near = covered_together(in_plane + (y[i] - y[j]) * (y[i] - y[j]));
+            const double mirrored = covered_together(in_plane + (y[i] + y[j]) * (y[i] + y[j]));
+            row[j] = static_cast<float>(0.5 * factor[i] * factor[j] * (near + mirrored));
         }
+        row[i] *= 0.5F;
+        row += i + 1;
+    }
 }
 
-void LobeDifference::project(const std::vector<double>& values,
-                             std::vector<double>& projections) const {
-    const size_t count = directions_.size();
-    projections.resize(harmonics_.size() / count);
-    for (size_t row = 0; row < projections.size(); ++row)
-        projections[row] = dot_product(&harmonics_[row * count], values.data(), count);
+// Rows end at the diagonal, which is halved: the product of a with the whole matrix and b is that of
+// lower_half(a) with b and the other way round.
+std::vector<double> LobeDifference::lower_half(const std::vector<double>& values) const {
+    std::vector<double> products(values.size());
+    const float* row = kernel_.data();
+    for (size_t i = 0; i < values.size(); row += ++i)
+        products[i] = dot_product(row, values.data(), i + 1);
+    return products;
 }
 
 double LobeDifference::value(const LtcShape& shape) const {
@@ -108,9 +111,7 @@ double LobeDifference::value(const LtcShape& shape) const {
         e[i] = ltc_density(inverse, directions_[i]) - densities_[i];
         sum += chi_weights_[i] * e[i] * e[i];
     }
-    std::vector<double> projections;
-    project(e, projections);
-    return sum + dot_product(projections.data(), projections.data(), projections.size());
+    return sum + 2 * dot_product(lower_half(e).data(), e.data(), count);
 }
 
 LobeDifference::Model LobeDifference::model(const LtcShape& shape) const {
@@ -125,17 +126,17 @@ LobeDifference::Model LobeDifference::model(const LtcShape& shape) const {
         for (size_t a = 0; a < n; ++a) columns[a][i] = slope.by_parameter[a];
         columns[n][i] = slope.density - densities_[i];
     }
-    std::array<std::vector<double>, n + 1> projections;
-    for (size_t a = 0; a <= n; ++a) project(columns[a], projections[a]);
-    std::vector<double> weighted(count);
-    std::array<std::array<double, n + 1>, n + 1> products{};
+    std::array<std::vector<double>, n + 1> halves;
     for (size_t a = 0; a <= n; ++a) {
-        for (size_t i = 0; i < count; ++i) weighted[i] = chi_weights_[i] * columns[a][i];
+        halves[a] = lower_half(columns[a]);
+        for (size_t i = 0; i < count; ++i) halves[a][i] += 0.5 * chi_weights_[i] * columns[a][i];
+    }
+    std::array<std::array<double, n + 1>, n + 1> products{};
+    for (size_t a = 0; a <= n; ++a)
         for (size_t b = a; b <= n; ++b)
             products[a][b] = products[b][a] =
-                dot_product(weighted.data(), columns[b].data(), count) +
-                dot_product(projections[a].data(), projections[b].data(), projections[a].size());
-    }
+                dot_product(halves[a].data(), columns[b].data(), count) +
+                dot_product(halves[b].data(), columns[a].data(), count);
     products[0][0] += share_of_tilt;
     products[0][n] += share_of_tilt * shape.tilt;
     products[n][n] += share_of_tilt * shape.tilt * shape.tilt;

@@ -30,15 +30,14 @@ public:
 private:
     void add_direction(const TargetLobe& target, const LtcInverse& around, const Vec3d& direction,
                        double weight);
-    void make_harmonics(const LtcInverse& around, int order);
-    /// Writes <e, row> for every harmonic, where e are `values` at the directions.
-    void project(const std::vector<double>& values, std::vector<double>& projections) const;
+    void make_kernel();
+    std::vector<double> lower_half(const std::vector<double>& values) const;
 
     std::vector<Vec3d> directions_;
     std::vector<double> densities_;    ///< of the target
     std::vector<double> weights_;      ///< of the quadrature
     std::vector<double> chi_weights_;  ///< weights of e²
-    std::vector<double> harmonics_;    ///< row by row, a row a harmonic times weights_
+    std::vector<float> kernel_;        ///< of pairs of directions, rows up to the diagonal
 };
 
 }  // namespace splitsum

@@ -34,6 +34,7 @@ struct Panorama {
     int64_t out_of_gamut = 0;  ///< clean pixels that Rec.709 can express with negative values only
     bool repaired = false;     ///< `found` was repaired and `out_of_gamut` set to zero
     std::vector<std::string> notes;  ///< what was ignored or filled in, a sentence each
+    PanoramaOptions reading;         ///< how it was read
 };
 
 /// Reads any 2:1 lat-long image that OpenImageIO knows: rows, census, repair, colour conversion,
@@ -57,6 +58,7 @@ Result<Panorama> read_panorama(const std::filesystem::path& path, const Panorama
 struct PanoramaSize {
     int width;
     int height;
+    int64_t reading_bytes = 0;  ///< memory that streaming the file takes, an upper bound
 };
 Result<PanoramaSize> panorama_size(const std::filesystem::path& path,
                                    const PanoramaOptions& options);

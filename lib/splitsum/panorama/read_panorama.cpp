@@ -102,6 +102,7 @@ Result<OpenPanorama> open_panorama(const fs::path& path, const PanoramaOptions& 
 
     Panorama facts;
     facts.source = path.filename().string();
+    facts.reading = options;
     facts.color_space = color->name;
     facts.notes = reader->info().notes;
     facts.notes.insert(facts.notes.end(), color->notes.begin(), color->notes.end());
@@ -192,7 +193,8 @@ Result<PanoramaSize> panorama_size(const fs::path& path, const PanoramaOptions& 
     const auto reader = ImageReader::open(path, options.layer);
     if (!reader) return reader.error();
     if (Status shape = check_shape(path, reader->info()); !shape) return shape.error();
-    return PanoramaSize{reader->info().width, reader->info().height};
+    const ImageFileInfo& info = reader->info();
+    return PanoramaSize{info.width, info.height, info.reading_bytes};
 }
 
 Result<Panorama> stream_panorama(const fs::path& path, const PanoramaOptions& options,

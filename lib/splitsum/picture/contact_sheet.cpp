@@ -19,7 +19,6 @@ constexpr int picture_width = 1600;
 constexpr int gap = 24;
 constexpr int bar_height = 6;
 constexpr int largest_cell = 520;
-constexpr int samples_per_edge = 2;  ///< 2 x 2 samples a pixel, each shown before they are averaged
 
 // The display transform shows mid grey, 0.18, at a tenth of white: darker than people like pictures.
 constexpr double shown_mean = 0.25;
@@ -87,79 +86,97 @@ std::optional<Place> place_at(const Layout& layout, double x, double y) {
     return Place{row * layout.columns + column, in_x, from_top - row * layout.row_height()};
 }
 
+/// What a pixel shows: light, and how much of the pixel it covers; the rest is background.
+struct Pixel {
+    Vec3 light{0};
+    float coverage = 0;
+};
+
 // The viewer stands at +z and looks back, so that the ball mirrors the middle of the panorama. Left
-// and right are then swapped: +x stays to the right, as on the strip below.
-std::optional<Vec3d> direction_on_ball(const Layout& layout, const Place& place, bool mirror) {
+// and right are then swapped: +x stays to the right, as on the strip below. Beside the ball this is
+// the direction at its rim.
+Vec3d direction_on_ball(const Layout& layout, double x, double y, bool mirror) {
     const double radius = 0.5 * layout.ball();
-    const double a = (place.x - radius) / radius, b = (radius - place.y) / radius;
-    const double inside = 1 - a * a - b * b;
-    if (inside < 0) return std::nullopt;
-    const Vec3d normal(a, b, std::sqrt(inside));
+    Vec3d normal((x - radius) / radius, (radius - y) / radius, 0);
+    const double from_middle = length(normal);
+    if (from_middle < 1)
+        normal.z = std::sqrt((1 - from_middle) * (1 + from_middle));
+    else
+        normal = normal / from_middle;
     if (!mirror) return normal;
     const Vec3d to_viewer(0, 0, 1);
     return 2 * dot(normal, to_viewer) * normal - to_viewer;
 }
 
-std::optional<Vec3d> direction_on_strip(const Layout& layout, const Place& place) {
-    const double v = (place.y - layout.ball() - gap / 2) / layout.strip();
-    if (v < 0 || v >= 1) return std::nullopt;
-    const double azimuth = (place.x / layout.cell_width - 0.5) * 2 * std::numbers::pi;
-    const double polar = v * std::numbers::pi;
+Vec3d direction_on_strip(const Layout& layout, double x, double y) {
+    const double azimuth = (x / layout.cell_width - 0.5) * 2 * std::numbers::pi;
+    const double polar = (y - layout.ball() - gap / 2) / layout.strip() * std::numbers::pi;
     return Vec3d(std::sin(polar) * std::sin(azimuth), std::cos(polar),
                  std::sin(polar) * std::cos(azimuth));
 }
 
-/// Linear light at a point of the picture, or nothing on the background.
-std::optional<Vec3> light_at(const Layout& layout, const std::vector<Cell>& cells, double x,
-                             double y) {
-    const auto place = place_at(layout, x, y);
-    if (!place || place->cell >= static_cast<int>(cells.size())) return std::nullopt;
-    const Cell& cell = cells[static_cast<size_t>(place->cell)];
-    const auto direction =
-        place->y < layout.ball()
-            ? direction_on_ball(layout, *place, cell.perceptual_roughness.has_value())
-            : direction_on_strip(layout, *place);
-    if (!direction) return std::nullopt;
-    return bilinear_lookup(*cell.cubemap, *direction);
+// Of the pixel around a place in a cell.
+float coverage_at(const Layout& layout, const Place& place) {
+    if (place.y >= layout.ball()) {
+        const double down = place.y - layout.ball() - gap / 2;
+        return down >= 0 && down < layout.strip() ? 1 : 0;
+    }
+    const double radius = 0.5 * layout.ball();
+    const double from_middle = std::hypot(place.x - radius, place.y - radius);
+    return float(std::clamp(radius - from_middle + 0.5, 0.0, 1.0));
 }
 
-/// Encodes the light of the lit samples for the display; the others are background.
-std::vector<float> shown(const std::vector<std::optional<Vec3>>& light, float exposure,
-                         const DisplayTransform& display) {
-    std::vector<float> lit;
-    for (const auto& sample : light)
-        if (sample)
-            for (int c = 0; c < 3; ++c) lit.push_back(exposure * (*sample)[c]);
-    display.apply(lit);
-    std::vector<float> rgb;
-    rgb.reserve(3 * light.size());
-    auto next = lit.begin();
-    for (const auto& sample : light)
-        for (const uint8_t value : background)
-            rgb.push_back(sample ? *next++ : static_cast<float>(value) / 255);
-    return rgb;
+// Samples along a pixel's edge: cubemaps with more texels than the strip has pixels would flicker.
+int samples_of(const Cubemap& cubemap, const Layout& layout) {
+    return 4 * cubemap.face_size > layout.cell_width ? 2 : 1;
 }
 
-/// The samples of one pixel row, shown on the display: 3 values each in [0, 1].
-std::vector<float> shown_samples(const Layout& layout, const std::vector<Cell>& cells, int y,
-                                 float exposure, const DisplayTransform& display) {
-    constexpr int n = samples_per_edge;
-    std::vector<std::optional<Vec3>> light;
-    light.reserve(n * n * picture_width);
+// Light at a pixel. Bright samples count less in the mean, as they would if each were shown before
+// (Karis 2014, "High Quality Temporal Supersampling"): a sun does not fray.
+Vec3 light_at(const Layout& layout, const Cell& cell, const Place& place, float exposure) {
+    const int n = samples_of(*cell.cubemap, layout);
+    Vec3 sum(0);
+    float weights = 0;
     for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n * picture_width; ++i)
-            light.push_back(light_at(layout, cells, (i + 0.5) / n, y + (j + 0.5) / n));
-    return shown(light, exposure, display);
+        for (int i = 0; i < n; ++i) {
+            const double x = place.x + (i + 0.5) / n - 0.5, y = place.y + (j + 0.5) / n - 0.5;
+            const Vec3d direction =
+                place.y < layout.ball()
+                    ? direction_on_ball(layout, x, y, cell.perceptual_roughness.has_value())
+                    : direction_on_strip(layout, x, y);
+            const Vec3 light = exposure * bilinear_lookup(*cell.cubemap, direction);
+            const float weight = 1 / (1 + std::max({light.x, light.y, light.z}));
+            sum += weight * light;
+            weights += weight;
+        }
+    return sum / weights;
 }
 
-void average_samples(const std::vector<float>& samples, std::span<uint8_t> row) {
-    constexpr size_t n = samples_per_edge, stride = 3 * n * picture_width;
+Pixel pixel_at(const Layout& layout, const std::vector<Cell>& cells, int x, int y, float exposure) {
+    const auto place = place_at(layout, x + 0.5, y + 0.5);
+    if (!place || place->cell >= static_cast<int>(cells.size())) return {};
+    const float coverage = coverage_at(layout, *place);
+    if (coverage == 0) return {};
+    return {light_at(layout, cells[static_cast<size_t>(place->cell)], *place, exposure), coverage};
+}
+
+void draw_row(const Layout& layout, const std::vector<Cell>& cells, int y, float exposure,
+              const DisplayTransform& display, std::span<uint8_t> row) {
+    std::vector<float> coverage, shown;
+    for (int x = 0; x < picture_width; ++x) {
+        const Pixel pixel = pixel_at(layout, cells, x, y, exposure);
+        coverage.push_back(pixel.coverage);
+        if (pixel.coverage > 0)
+            for (int c = 0; c < 3; ++c) shown.push_back(pixel.light[c]);
+    }
+    display.apply(shown);
+    auto next = shown.begin();
     for (size_t x = 0; x < picture_width; ++x)
         for (size_t c = 0; c < 3; ++c) {
-            float sum = 0;
-            for (size_t j = 0; j < n; ++j)
-                for (size_t i = 0; i < n; ++i) sum += samples[j * stride + 3 * (n * x + i) + c];
-            row[3 * x + c] = static_cast<uint8_t>(std::lround(255 * sum / (n * n)));
+            const float lit = coverage[x] > 0 ? 255 * *next++ : 0;
+            const float behind = static_cast<float>(background[c]);
+            row[3 * x + c] =
+                static_cast<uint8_t>(std::lround(behind + coverage[x] * (lit - behind)));
         }
 }
 
@@ -218,8 +235,8 @@ Status write_contact_sheet(const ContactSheet& sheet, const std::filesystem::pat
     constexpr size_t row_size = 3 * size_t{picture_width};
     std::vector<uint8_t> picture(row_size * static_cast<size_t>(layout.height()));
     parallel_rows(layout.height(), [&](int y) {
-        average_samples(shown_samples(layout, cells, y, exposure, *display),
-                        std::span(picture).subspan(static_cast<size_t>(y) * row_size, row_size));
+        draw_row(layout, cells, y, exposure, *display,
+                 std::span(picture).subspan(static_cast<size_t>(y) * row_size, row_size));
     });
     for (size_t i = 0; i < cells.size(); ++i)
         if (cells[i].perceptual_roughness)

@@ -11,7 +11,7 @@ namespace splitsum {
 ///
 /// `linear`: r = level / (levels - 1), as Bevy and the glTF samplers read it. `filament`:
 /// r = 1 - sqrt(1 - lod) with lod = level / (levels - 1), as Filament and three read it (their
-/// lod is r (2 - r)). A list names every level itself. The first two are twins of
+/// lod is r (2 - r)). A list names every level itself. The twin of
 /// shaders/include/splitsum_levels.glsl.
 struct RoughnessCurve {
     enum class Kind { linear, filament, list };

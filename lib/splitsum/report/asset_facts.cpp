@@ -9,6 +9,7 @@
 
 #include "splitsum/base/text.h"
 #include "splitsum/base/version.h"
+#include "splitsum/filter/methods.h"
 #include "splitsum/report/metadata_detail.h"
 
 namespace splitsum {
@@ -17,6 +18,21 @@ namespace {
 constexpr std::array<std::string_view, 3> kind_names = {"specular", "irradiance", "table"};
 
 std::string flag_text(bool flag) { return flag ? "true" : "false"; }
+
+// The row of a method that this program knows.
+const FilterMethod* method_named(std::string_view name) {
+    const auto methods = filter_methods();
+    const auto found = std::ranges::find(methods, name, &FilterMethod::name);
+    return found == methods.end() ? nullptr : &*found;
+}
+
+void describe_points(const FilterPlan& plan, Metadata& metadata) {
+    const FilterMethod* const method = method_named(plan.method);
+    if (method && method->draws_points)
+        metadata["splitsum.sequence"] = name_of(point_sequences(), plan.sequence);
+    if (method && method->weighs_points)
+        metadata["splitsum.heuristic"] = name_of(mis_heuristics(), plan.heuristic);
+}
 
 void describe_cubemap(const AssetFacts& facts, Metadata& metadata) {
     const Orientation& orientation = facts.orientation;
@@ -34,6 +50,7 @@ void describe_cubemap(const AssetFacts& facts, Metadata& metadata) {
     metadata["splitsum.samples"] = number_text(facts.filter.samples);
     metadata["splitsum.rotate_samples"] = flag_text(facts.filter.rotate_samples);
     metadata["splitsum.seed"] = number_text(facts.filter.seed);
+    describe_points(facts.filter, metadata);
 }
 
 std::string curve_name(const RoughnessCurve& curve) {
@@ -99,6 +116,10 @@ void read_cubemap(MetadataReader& reader, AssetFacts& facts) {
     facts.filter.samples = reader.number<int>("splitsum.samples");
     facts.filter.rotate_samples = reader.flag("splitsum.rotate_samples");
     facts.filter.seed = reader.number<uint32_t>("splitsum.seed");
+    if (reader.has("splitsum.sequence"))
+        facts.filter.sequence = reader.named("splitsum.sequence", point_sequences());
+    if (reader.has("splitsum.heuristic"))
+        facts.filter.heuristic = reader.named("splitsum.heuristic", mis_heuristics());
 }
 
 void read_specular(MetadataReader& reader, AssetFacts& facts) {

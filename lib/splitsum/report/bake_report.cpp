@@ -29,6 +29,12 @@ Json source_json(const BakeReport& report) {
             {"notes", report.notes}};
 }
 
+Json settings_json(const BakeReport& report) {
+    Json settings = Json::object();
+    for (const auto& [name, value] : report.settings) settings[name] = value;
+    return settings;
+}
+
 Json asked_json(const BakeReport& report) {
     return {{"format", info_of(report.format).name},
             {"specular", metadata_of(report.specular_facts)},
@@ -123,11 +129,10 @@ std::string clamped_text(const BakeReport& report) {
 }  // namespace
 
 std::string report_json(const BakeReport& report) {
-    const Json json = {{"splitsum", version},
-                       {"source", source_json(report)},
-                       {"asked", asked_json(report)},
-                       {"files", files_json(report)},
-                       {"measured", measured_json(report)}};
+    const Json json = {{"splitsum", version},           {"algorithm", algorithm_version},
+                       {"recipe", report.recipe},       {"settings", settings_json(report)},
+                       {"source", source_json(report)}, {"asked", asked_json(report)},
+                       {"files", files_json(report)},   {"measured", measured_json(report)}};
     return json.dump(2) + "\n";
 }
 
@@ -141,8 +146,8 @@ std::string report_text(const BakeReport& report) {
          << "method " << report.specular_facts.filter.method << ", accuracy "
          << report.specular_facts.filter.accuracy << ", " << report.specular_facts.filter.samples
          << " samples, convention " << report.specular_facts.orientation.convention << ", "
-         << info_of(report.format).name
-         << "\n\nError of the stored texels against exact integration:\n"
+         << info_of(report.format).name << "\nalgorithm " << algorithm_version << ", recipe "
+         << report.recipe << "\n\nError of the stored texels against exact integration:\n"
          << figures_heading(true);
     for (const LevelCheck& check : report.specular)
         text << figures_line(cat("specular ", check.level), check,

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "splitsum/filter/methods.h"
@@ -22,6 +23,10 @@ struct WrittenFile {
 /// What was asked, done and measured for one panorama. Without times, so that equal inputs give
 /// equal reports.
 struct BakeReport {
+    /// What decides the bytes of everything baked, as a hash, and the options in it; bake/recipe.h.
+    std::string recipe;
+    std::vector<std::pair<std::string, std::string>> settings;
+
     SourceFacts source;
     int source_width = 0;
     int source_height = 0;
@@ -47,7 +52,7 @@ struct BakeReport {
     double harmonics_lowest = 0;  ///< as IrradianceHarmonics::lowest
 };
 
-/// The report as one JSON object with the members source, asked, files and measured.
+/// The report as one JSON object; report.schema.json says what is in it.
 std::string report_json(const BakeReport& report);
 
 /// The same for people: a table of levels and figures.

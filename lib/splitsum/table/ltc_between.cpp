@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "splitsum/math/quadrature.h"
+
 namespace splitsum {
 namespace {
 
@@ -49,6 +51,36 @@ void fit_between_views(std::span<LtcInverse> matrices, const TableGrid& grid) {
         straighten_row(ends_edge_on ? row.first(columns - 1) : row, fading(r, 0.1, 0.2));
         if (ends_edge_on) point_along_horizon(row.back(), row[columns - 2], fading(r, 0.05, 0.12));
     }
+}
+
+LastInterval last_interval(const TableGrid& grid) {
+    constexpr int nodes = 12;
+    LastInterval interval;
+    const size_t columns = grid.n_dot_v.size();
+    if (columns < 2 || grid.n_dot_v.back() != 0) return interval;
+    const auto coordinate = [](double n_dot_v) {
+        return coordinate_of_n_dot_v(ViewAxis::sqrt_one_minus_cosine, n_dot_v);
+    };
+    const double first = grid.n_dot_v[columns - 2], start = coordinate(first);
+    const QuadratureRule rule = gauss_legendre(nodes);
+    for (size_t i = 0; i < rule.nodes.size(); ++i) {
+        const double n_dot_v = 0.5 * first * (1 + rule.nodes[i]);
+        interval.n_dot_v.push_back(n_dot_v);
+        interval.at_edge.push_back((coordinate(n_dot_v) - start) / (1 - start));
+        interval.weights.push_back(rule.weights[i]);
+    }
+    return interval;
+}
+
+double value_edge_on(const LastInterval& interval, double neighbour,
+                     std::span<const double> exact) {
+    double product = 0, square = 0;
+    for (size_t i = 0; i < exact.size(); ++i) {
+        const double share = interval.at_edge[i];
+        product += interval.weights[i] * share * (exact[i] - (1 - share) * neighbour);
+        square += interval.weights[i] * share * share;
+    }
+    return std::clamp(product / square, 0.0, 1.0);
 }
 
 }  // namespace splitsum

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "splitsum/ltc/transformed_cosine.h"
 #include "splitsum/table/grid.h"
@@ -21,5 +22,21 @@ namespace splitsum {
 ///   of the last interval.
 /// Both fade out where lobes are wide. Determinants stay positive.
 void fit_between_views(std::span<LtcInverse> matrices, const TableGrid& grid);
+
+/// The last interval of a view axis, between its last but one view and n·v = 0, as quadrature sees it.
+struct LastInterval {
+    std::vector<double> n_dot_v;  ///< of the nodes
+    std::vector<double>
+        at_edge;  ///< the share that a linear filter takes of the texel at 0, in [0, 1]
+    std::vector<double> weights;  ///< of views that are evenly spread in n·v
+};
+
+/// Empty where the grid does not end with a texel at n·v = 0.
+LastInterval last_interval(const TableGrid& grid);
+
+/// What the texel at 0 holds for a linear filter to be nearest to `exact`, given at the nodes, in the
+/// least-squares sense: a narrow lobe's albedo dips below 1 at n·v near alpha, between the texels.
+/// `neighbour` is the texel before. In [0, 1].
+double value_edge_on(const LastInterval& interval, double neighbour, std::span<const double> exact);
 
 }  // namespace splitsum

@@ -32,6 +32,28 @@ TablePlan plan_of_magnitude(const TablePlan& plan) {
     return fixed;
 }
 
+// Moves the magnitudes at n·v = 0 so that they are right between there and the neighbour as well.
+Status fit_edge_on(const TablePlan& plan, const TableGrid& grid, std::span<Magnitude> magnitudes) {
+    const LastInterval interval = last_interval(grid);
+    const size_t nodes = interval.n_dot_v.size(), columns = grid.n_dot_v.size();
+    if (nodes == 0) return Done{};
+    NoProgress progress;  // a fraction of what went before
+    const auto exact = split_sums(plan, {interval.n_dot_v, grid.perceptual_roughness}, progress);
+    if (!exact) return exact.error();
+    for (size_t row = 0; row < grid.perceptual_roughness.size(); ++row) {
+        std::vector<double> albedo, weighted;
+        for (const SplitSum& sum : std::span(*exact).subspan(row * nodes, nodes)) {
+            albedo.push_back(sum.a + sum.b);
+            weighted.push_back(sum.b);
+        }
+        const Magnitude& neighbour = magnitudes[row * columns + columns - 2];
+        magnitudes[row * columns + columns - 1] = {
+            value_edge_on(interval, neighbour.albedo, albedo),
+            value_edge_on(interval, neighbour.weighted, weighted)};
+    }
+    return Done{};
+}
+
 Result<std::vector<Magnitude>> magnitudes(LtcTarget target, const TablePlan& plan,
                                           const TableGrid& grid, Progress& progress) {
     std::vector<Magnitude> found;
@@ -44,6 +66,8 @@ Result<std::vector<Magnitude>> magnitudes(LtcTarget target, const TablePlan& pla
     const auto sums = split_sums(plan_of_magnitude(plan), grid, progress);
     if (!sums) return sums.error();
     for (const SplitSum& sum : *sums) found.push_back({sum.a + sum.b, sum.b});
+    const Status fitted = fit_edge_on(plan_of_magnitude(plan), grid, found);
+    if (!fitted) return fitted.error();
     return found;
 }
 

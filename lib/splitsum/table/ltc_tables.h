@@ -18,6 +18,8 @@ namespace splitsum {
 //     layer 1   the directional albedo for F = 1; the same weighted with Schlick's (1 - v·h)^5 (0 for
 //               diffuse light); 0; the share of a sphere that the horizon leaves (clipped_sphere.h)
 //
+// Both sums are exact but at n·v = 0, where GGX has what makes the last interval right (ltc_between.h).
+//
 // A light of radiance L then adds L (F0 albedo + (F90 - F0) weighted) ltc_polygon_light(...) (Hill
 // 2016, "LTC Fresnel Approximation"). The last channel has axes of its own: where the roughness axis
 // runs from 0 to 1 the cosine from the normal to the sphere's centre runs from -1 to 1, and along the

@@ -26,6 +26,12 @@ inline double energy_compensation(const SplitSum& split_sum, double f0) {
     return 1 + f0 * (1 / (split_sum.a + split_sum.b) - 1);
 }
 
+/// What the surface reflects of uniform light with all bounces, in [0, 1]: what prefiltered light is
+/// multiplied with.
+inline double reflectance(const SplitSum& split_sum, double f0) {
+    return directional_albedo(split_sum, f0) * energy_compensation(split_sum, f0);
+}
+
 /// What a table `ggx-multiscatter` holds, (b, a + b), as the split sum it was made of.
 inline SplitSum split_sum_of_multiscatter(double bias, double albedo) {
     return {albedo - bias, bias};

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "splitsum/bake/facts.h"
+#include "splitsum/bake/recipe.h"
 #include "splitsum/container/ktx2.h"
 #include "splitsum/report/certificate.h"
 #include "splitsum/report/harmonics_file.h"
@@ -99,6 +100,25 @@ TEST(Bake, CertifiesWhatItReports) {
     check("irradiance.ktx2", {&report->irradiance, 1});
 }
 
+TEST(Bake, RecordsItsRecipe) {
+    const tests::TemporaryFolder folder;
+    NoProgress progress;
+    Light light = light_of(small_panorama());
+    light.reading.exposure_stops = 2;
+    const auto report = bake(light, small_plan(), folder.path(), progress);
+    ASSERT_TRUE(report);
+    ConfigHashes configs;
+    const auto recipe = recipe_of("small.exr", "xxh3-128:00", light.reading, small_plan(), configs);
+    EXPECT_EQ(report->recipe, *recipe);
+    for (const char* name : {"report.json", "report.txt"})
+        EXPECT_NE(tests::bytes_of(folder / name).find(*recipe), std::string::npos) << name;
+
+    const auto read = load_light(std::string(SPLITSUM_TEST_DATA) + "/panoramas/one_texel.exr",
+                                 light.reading, light_use(small_plan(), light.tables), progress);
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->reading.exposure_stops, 2);
+}
+
 TEST(Bake, LeavesThePictureOutOnRequest) {
     const tests::TemporaryFolder folder;
     NoProgress progress;
@@ -106,6 +126,11 @@ TEST(Bake, LeavesThePictureOutOnRequest) {
     plan.picture = false;
     ASSERT_TRUE(bake(light_of(small_panorama()), plan, folder.path(), progress));
     EXPECT_FALSE(exists(folder / "contact.png"));
+
+    ASSERT_TRUE(bake(light_of(small_panorama()), small_plan(), folder.path(), progress));
+    EXPECT_TRUE(exists(folder / "contact.png"));
+    ASSERT_TRUE(bake(light_of(small_panorama()), plan, folder.path(), progress));
+    EXPECT_FALSE(exists(folder / "contact.png")) << "a picture of something else";
 }
 
 TEST(Bake, WithoutProbesReportsNoFiguresButBounds) {

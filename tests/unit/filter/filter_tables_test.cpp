@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <thread>
 
 #include "splitsum/base/parallel.h"
 #include "splitsum/brdf/band_factors.h"
@@ -34,6 +36,40 @@ TEST(FilterTables, ServeManyThreads) {
         factors[size_t(i)] = tables.band_factors({LobeKind::ggx, 0.1 * (1 + i % 4)}, 30);
     });
     for (size_t i = 4; i < factors.size(); ++i) EXPECT_EQ(factors[i], factors[i - 4]);
+}
+
+TEST(FilterTables, AreMadeOnceWhenManyAskAtTheSameTime) {
+    FilterTables tables;
+    std::vector<FilterTables::Factors> factors(8);
+    std::vector<FilterTables::Geometry> geometries(factors.size());
+    std::atomic<int> ready = 0;
+    std::vector<std::jthread> threads;
+    for (size_t i = 0; i < factors.size(); ++i)
+        threads.emplace_back([&, i] {
+            ++ready;
+            while (ready < int(factors.size())) std::this_thread::yield();
+            factors[i] = tables.band_factors({LobeKind::ggx, 0.05}, 200);
+            geometries[i] = tables.area_geometry(256, 64, Mat3d(1));
+        });
+    threads.clear();
+    for (size_t i = 1; i < factors.size(); ++i) {
+        EXPECT_EQ(factors[i], factors[0]);
+        EXPECT_EQ(geometries[i], geometries[0]);
+    }
+}
+
+// Large geometries live as long as somebody uses them, small ones until four others came.
+TEST(FilterTables, KeepSmallGeometriesOnly) {
+    FilterTables tables;
+    std::weak_ptr<const AreaGeometry> small = tables.area_geometry(16, 4, Mat3d(1));
+    auto used = tables.area_geometry(2048, 256, Mat3d(1));
+    EXPECT_EQ(tables.area_geometry(2048, 256, Mat3d(1)), used);
+    const std::weak_ptr<const AreaGeometry> large = used;
+    used = nullptr;
+    EXPECT_TRUE(large.expired());
+    EXPECT_FALSE(small.expired());
+    for (int other = 1; other <= 4; ++other) tables.area_geometry(16, 4 + other, Mat3d(1));
+    EXPECT_TRUE(small.expired());
 }
 
 // A panorama's assets may not depend on what was baked before it.

@@ -32,21 +32,23 @@ TEST(FitLtc, FindsTheExactLimitOfNarrowLobes) {
     }
 }
 
+// The nodes in azimuth and in slope are not the same, so quadrature sees 2e-5 of anisotropy.
 TEST(FitLtc, IsIsotropicAlongTheNormal) {
     for (const LtcTarget target : {LtcTarget::ggx, LtcTarget::disney_diffuse}) {
         const LtcInverse inverse = fitted(target, 1, 0.7);
-        EXPECT_NEAR(inverse.m00, 1, 1e-6);
-        EXPECT_NEAR(inverse.m20, 0, 1e-6);
-        EXPECT_NEAR(inverse.m02, 0, 1e-6);
+        EXPECT_NEAR(inverse.m00, 1, 1e-4);
+        EXPECT_NEAR(inverse.m20, 0, 1e-5);
+        EXPECT_NEAR(inverse.m02, 0, 1e-5);
     }
 }
 
-// What a descent must not depend on.
+// What a descent must not depend on. With nodes too few for the horizon that cuts through them, where
+// they are placed shows: 1e-3 with 16.
 TEST(FitLtc, EndsWhereItEndsFromElsewhere) {
     const TargetLobe lobe(LtcTarget::ggx, 0.4, 0.5);
     const LtcShape near = {.axis_angle = -0.9, .log_width_x = -0.8, .log_width_y = -0.9};
     const LtcShape far = {.axis_angle = -0.9, .log_width_x = -0.2, .log_width_y = 0.1};
-    const LtcFitPlan plan{.rounds = 6, .steps = 40};
+    const LtcFitPlan plan{.nodes = 32, .rounds = 6, .steps = 40};
     const LtcInverse a = inverse_of(fit_ltc(lobe, near, plan));
     const LtcInverse b = inverse_of(fit_ltc(lobe, far, plan));
     EXPECT_NEAR(a.m00, b.m00, 1e-4);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 namespace splitsum {
 namespace {
 
@@ -10,7 +12,9 @@ AssetFacts cubemap_facts(AssetFacts::Kind kind) {
     facts.kind = kind;
     facts.source = {"a name = with spaces.exr", "xxh3-128:0123456789abcdef", "ACEScg", -1.1, 17};
     facts.orientation = {0.1 + 0.2, true, "cmgen"};
-    facts.filter.method = "importance";
+    facts.filter.method = "mis";
+    facts.filter.sequence = PointSequence::random;
+    facts.filter.heuristic = MisHeuristic::balance;
     facts.filter.samples = 4097;
     facts.filter.rotate_samples = true;
     facts.filter.seed = 4294967295U;
@@ -66,6 +70,8 @@ TEST(AssetFacts, SurviveTheRoundTripToTheLastBit) {
         }
         EXPECT_EQ(read->filter.rotate_samples, facts.filter.rotate_samples);
         EXPECT_EQ(read->filter.seed, facts.filter.seed);
+        EXPECT_EQ(read->filter.sequence, facts.filter.sequence);
+        EXPECT_EQ(read->filter.heuristic, facts.filter.heuristic);
         EXPECT_EQ(read->curve.kind, facts.curve.kind);
         EXPECT_EQ(read->perceptual_roughness, facts.perceptual_roughness);
         EXPECT_EQ(read->stores_irradiance, facts.stores_irradiance);
@@ -84,6 +90,35 @@ TEST(AssetFacts, SurviveTheRoundTripToTheLastBit) {
     }
 }
 
+TEST(AssetFacts, SayHowPointsWereDrawnWhereTheMethodDrawsThem) {
+    AssetFacts facts = cubemap_facts(AssetFacts::Kind::specular);
+    for (const auto& [method, draws, weighs] : {std::tuple("mis", true, true),
+                                                {"importance", true, false},
+                                                {"filtered", true, false},
+                                                {"riemann", false, false},
+                                                {"spectral", false, false},
+                                                {"auto", false, false}}) {
+        facts.filter.method = method;
+        const auto metadata = metadata_of(facts);
+        EXPECT_EQ(metadata.contains("splitsum.sequence"), draws) << method;
+        EXPECT_EQ(metadata.contains("splitsum.heuristic"), weighs) << method;
+        const auto read = facts_of(metadata);
+        ASSERT_TRUE(read) << read.error().message;
+        const FilterPlan silent;
+        EXPECT_EQ(read->filter.sequence, draws ? facts.filter.sequence : silent.sequence);
+        EXPECT_EQ(read->filter.heuristic, weighs ? facts.filter.heuristic : silent.heuristic);
+    }
+}
+
+TEST(AssetFacts, RefuseASequenceThatNobodyKnows) {
+    auto metadata = metadata_of(cubemap_facts(AssetFacts::Kind::specular));
+    metadata["splitsum.sequence"] = "sobol";
+    const auto read = facts_of(metadata);
+    ASSERT_FALSE(read);
+    EXPECT_NE(read.error().message.find("splitsum.sequence"), std::string::npos);
+    EXPECT_NE(read.error().message.find("hammersley"), std::string::npos);
+}
+
 TEST(AssetFacts, KeepAListOfRoughness) {
     AssetFacts facts = cubemap_facts(AssetFacts::Kind::specular);
     facts.curve = {RoughnessCurve::Kind::list, facts.perceptual_roughness};
@@ -100,6 +135,11 @@ bool is_for_people(const std::string& key, AssetFacts::Kind kind) {
            key == "splitsum.geometry";  // of tables that have one
 }
 
+// Files of methods that draw no points do not have them, nor do those of older programs.
+bool has_a_default(const std::string& key) {
+    return key == "splitsum.sequence" || key == "splitsum.heuristic";
+}
+
 TEST(AssetFacts, NameTheKeyThatIsMissing) {
     for (const AssetFacts& facts : all_kinds()) {
         const auto metadata = metadata_of(facts);
@@ -107,7 +147,7 @@ TEST(AssetFacts, NameTheKeyThatIsMissing) {
             auto shorter = metadata;
             shorter.erase(key);
             const auto read = facts_of(shorter);
-            ASSERT_EQ(bool(read), is_for_people(key, facts.kind)) << key;
+            ASSERT_EQ(bool(read), is_for_people(key, facts.kind) || has_a_default(key)) << key;
             if (read) continue;
             EXPECT_EQ(read.error().kind, ErrorKind::unusable_input);
             EXPECT_NE(read.error().message.find(key), std::string::npos) << read.error().message;

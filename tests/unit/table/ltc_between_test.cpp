@@ -84,5 +84,41 @@ TEST(FitBetweenViews, TakesGridsOfAnySize) {
     }
 }
 
+// A dip that lies between the last two texels, as the albedo of narrow lobes has: the line through its
+// ends misses it, and no line from the same neighbour comes nearer than the one that is found.
+TEST(ValueEdgeOn, IsTheLineNearestToADip) {
+    const LastInterval interval = last_interval(grid_of_size(64, 0.05));
+    ASSERT_FALSE(interval.n_dot_v.empty());
+    std::vector<double> exact;
+    for (const double c : interval.n_dot_v) exact.push_back(1 - 0.1 * c * (0.04 - c) / 0.0004);
+    const auto missed_by = [&](double at_edge) {
+        double sum = 0;
+        for (size_t i = 0; i < exact.size(); ++i) {
+            const double share = interval.at_edge[i];
+            const double off = share * at_edge + (1 - share) * 0.98 - exact[i];
+            sum += interval.weights[i] * off * off;
+        }
+        return sum;
+    };
+    const double found = value_edge_on(interval, 0.98, exact);
+    EXPECT_LT(missed_by(found), 0.5 * missed_by(1));
+    EXPECT_LT(missed_by(found), missed_by(found - 0.01));
+    EXPECT_LT(missed_by(found), missed_by(found + 0.01));
+}
+
+TEST(ValueEdgeOn, IsTheValueItselfOfALine) {
+    const LastInterval interval = last_interval(grid_of_size(64, 0.05));
+    std::vector<double> exact;
+    for (const double share : interval.at_edge) exact.push_back(0.7 + 0.2 * share);
+    EXPECT_NEAR(value_edge_on(interval, 0.7, exact), 0.9, 1e-12);
+}
+
+TEST(LastInterval, IsEmptyWithoutATexelEdgeOn) {
+    TablePlan plan;
+    plan.size = 64;
+    plan.layout = TexelLayout::centre;
+    EXPECT_TRUE(last_interval(grid_of(plan, ViewAxis::sqrt_one_minus_cosine)).n_dot_v.empty());
+}
+
 }  // namespace
 }  // namespace splitsum

