@@ -6,6 +6,7 @@
 #include "splitsum/bake/facts.h"
 #include "splitsum/bake/recipe.h"
 #include "splitsum/base/atomic_file.h"
+#include "splitsum/base/file_hash.h"
 #include "splitsum/base/staged_folder.h"
 #include "splitsum/base/text.h"
 #include "splitsum/filter/irradiance_harmonics.h"
@@ -89,7 +90,11 @@ ContactSheet contact_sheet(const BakedAssets& assets, const BakeReport& report) 
 Status write_assets(const BakedAssets& assets, const BakePlan& plan, BakeReport& report,
                     StagedFolder& folder) {
     const auto write = [&](const std::string& name, const std::string& what, Status written) {
-        if (written) report.files.push_back({name, int64_t(file_size(folder.path() / name)), what});
+        if (!written) return written;
+        const auto path = folder.path() / name;
+        const auto hash = hash_of_file(path);
+        if (!hash) return Status(hash.error());
+        report.files.push_back({name, int64_t(file_size(path)), what, cat("xxh3-128:", *hash)});
         return written;
     };
     const auto& container = plan.container;

@@ -6,7 +6,8 @@ namespace splitsum {
 
 BakedFacts facts_from(const BakeReport& report) {
     BakedFacts facts;
-    for (const WrittenFile& file : report.files) facts.files.push_back({file.name, file.bytes});
+    for (const WrittenFile& file : report.files)
+        facts.files.push_back({file.name, file.bytes, file.hash});
     if (report.probes == 0) return facts;
     double worst = report.irradiance.figures.rel_rms;
     for (const LevelCheck& check : report.specular)

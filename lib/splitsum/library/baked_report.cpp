@@ -37,8 +37,8 @@ BakedReport report_from(const Json& json) {
     report.source_name = json.at("source").at("name").get<std::string>();
     report.source_hash = json.at("source").at("hash").get<std::string>();
     for (const Json& file : json.at("files"))
-        report.files.push_back(
-            {file.at("name").get<std::string>(), file.at("bytes").get<int64_t>()});
+        report.files.push_back({file.at("name").get<std::string>(), file.at("bytes").get<int64_t>(),
+                                file.at("hash").get<std::string>()});
     report.worst_rel_rms = worst_rel_rms(json.at("measured"));
     return report;
 }

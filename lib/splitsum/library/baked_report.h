@@ -16,6 +16,7 @@ struct BakedReport {
     struct File {
         std::string name;
         int64_t bytes = 0;
+        std::string hash;  ///< of its bytes
     };
 
     int algorithm = 0;

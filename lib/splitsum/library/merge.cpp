@@ -1,5 +1,6 @@
 #include "splitsum/library/merge.h"
 
+#include "splitsum/base/file_hash.h"
 #include "splitsum/base/parallel.h"
 #include "splitsum/base/text.h"
 #include "splitsum/library/freshness.h"
@@ -17,14 +18,22 @@ struct Found {
     BakedFacts facts;
 };
 
-// What the certificates of the folder's cubemaps say against it, "" if nothing.
+// What the certificate of a cubemap says against it, "" if nothing.
+std::string broken_certificate_of(const fs::path& path) {
+    if (path.extension() != ".ktx2") return "";
+    const auto texture = read_texture(path);
+    return texture ? join(broken_certificate(*texture), "; ") : texture.error().message;
+}
+
+// What the report and the certificates say against the folder's files, "" if nothing.
 std::string broken_promise(const fs::path& folder, const BakedFacts& facts) {
     for (const BakedReport::File& file : facts.files) {
-        if (fs::path(file.name).extension() != ".ktx2") continue;
-        const auto texture = read_texture(folder / file.name);
-        if (!texture) return cat(file.name, ": ", texture.error().message);
-        const std::vector<std::string> broken = broken_certificate(*texture);
-        if (!broken.empty()) return cat(file.name, ": ", join(broken, "; "));
+        std::string broken = broken_certificate_of(folder / file.name);
+        const auto hash = hash_of_file(folder / file.name);
+        if (broken.empty() && !hash) broken = hash.error().message;
+        if (broken.empty() && cat("xxh3-128:", *hash) != file.hash)
+            broken = "the bytes are not those that the report names";
+        if (!broken.empty()) return cat(file.name, ": ", broken);
     }
     return "";
 }

@@ -34,8 +34,8 @@ struct MergeCheck {
 };
 
 /// Whether `folder` holds the results of all jobs, whoever baked them: each up to date as
-/// bake_library would find it, each cubemap as its certificate says, and the table. Writes nothing.
-/// Cost: reads every cubemap once; sources only where somebody wrote to them since.
+/// bake_library would find it, each file with the bytes that its report names, each cubemap as its certificate says, and the table. Writes nothing.
+/// Cost: reads every result twice; sources only where somebody wrote to them since.
 ///
 /// Progress: the stage "check", a step a panorama. Fails with bad_argument as bake_library does, and
 /// with interrupted.

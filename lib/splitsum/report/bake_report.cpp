@@ -44,7 +44,8 @@ Json asked_json(const BakeReport& report) {
 Json files_json(const BakeReport& report) {
     Json files = Json::array();
     for (const WrittenFile& file : report.files)
-        files.push_back({{"name", file.name}, {"bytes", file.bytes}, {"what", file.what}});
+        files.push_back(
+            {{"name", file.name}, {"bytes", file.bytes}, {"hash", file.hash}, {"what", file.what}});
     return files;
 }
 

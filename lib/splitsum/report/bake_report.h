@@ -18,6 +18,7 @@ struct WrittenFile {
     std::string name;  ///< within the bake's folder
     int64_t bytes = 0;
     std::string what;  ///< what a lookup in it means
+    std::string hash;  ///< of all its bytes: "xxh3-128:" and 32 hexadecimal digits
 };
 
 /// What was asked, done and measured for one panorama. Without times, so that equal inputs give
