@@ -63,7 +63,7 @@ TEST(ChartTool, KeepsWhatWasMeasuredWhenItIsInterrupted) {
         {"/bin/sh", "-c",
          std::string(SPLITSUM_BIN) + "/" + tool + " " + panorama + " -o '" +
              (folder / "out").string() + "' 2>'" + (folder / "err").string() +
-             "' & child=$!; while ! grep -q 'roughness 0.25' '" + (folder / "err").string() +
+             "' & child=$!; while ! grep -q 'roughness 0.125' '" + (folder / "err").string() +
              "'; do sleep 0.05; done; kill -INT $child; wait $child"},
         std::chrono::minutes(5));
     EXPECT_EQ(run.exit_code, 130);
