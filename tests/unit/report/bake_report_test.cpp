@@ -28,7 +28,8 @@ BakeReport some_report() {
     report.source_mean_radiance = {0.125, 0.25, 0.5};
     report.notes = {"alpha was ignored", "repaired pixels: 3 NaN"};
     report.irradiance_facts.kind = AssetFacts::Kind::irradiance;
-    report.files = {{"specular.ktx2", 1234, "radiance"}, {"irradiance.ktx2", 56, "E / pi"}};
+    report.files = {{"specular.ktx2", 1234, "radiance", "xxh3-128:12"},
+                    {"irradiance.ktx2", 56, "E / pi", "xxh3-128:34"}};
     report.probes = 64;
     report.specular = {check_of(0, 1.25e-3), check_of(1, 2.5e-3)};
     report.specular_counts = {{7, 0}, {5, 0}};
