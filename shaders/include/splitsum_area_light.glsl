@@ -35,8 +35,8 @@ mat3 splitsum_ltc_inverse(vec4 layer0) {
                 vec3(layer0.z, 0.0, layer0.w));
 }
 
-// What a polygon's form factor in that space is multiplied with, from layer 1: albedo for F = 1 and
-// the same weighted with (1 - v·h)^5 (Hill 2016, "LTC Fresnel Approximation").
+// What a polygon's form factor in that space is multiplied with, from layer 1: albedo for F = 1,
+// within 1 %, and the same weighted with (1 - v·h)^5 (Hill 2016, "LTC Fresnel Approximation").
 vec3 splitsum_ltc_reflectance(vec3 f0, vec4 layer1) {
     return f0 * layer1.x + (vec3(1.0) - f0) * layer1.y;
 }

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double share_of_chi2 = 1e-5;
 constexpr double share_of_tilt = 3e-6;
+constexpr double share_of_magnitude = 0.2;
 constexpr double largest_tilt = 1.5;  // beyond pi / 2 the lobe is turned inside out
 
 // Directions that follow a transformed cosine, over the half y >= 0, and their weights in u.
@@ -25,10 +26,21 @@ void visit_cosine_nodes(int count, const Visit& visit) {
 
 // The chance that a light that covers one direction covers another, `distance` apart as points on the
 // unit sphere (fit_ltc).
-double covered_together(double distance2) { return 1 / (1 + std::sqrt(distance2)); }
+double covered_together(double distance2) {
+    const double distance = std::sqrt(distance2);
+    return (1 - 0.5 * distance) / (1 + 0.8 * distance);
+}
 
 // Fewer lights reach below the horizon.
-double lights_towards(const Vec3d& direction) { return 1 + direction.z / 6; }
+double lights_towards(const Vec3d& direction) {
+    return 1 + direction.z / 3 - direction.z * direction.z / 20;
+}
+
+// What the sum holds beside the lobe itself.
+double drawn_back(const LtcShape& shape) {
+    return share_of_tilt * shape.tilt * shape.tilt +
+           share_of_magnitude * shape.log_magnitude * shape.log_magnitude;
+}
 
 template <class Number>
 double dot_product(const Number* a, const double* b, size_t count) {
@@ -106,9 +118,10 @@ double LobeDifference::value(const LtcShape& shape) const {
     const size_t count = directions_.size();
     std::vector<double> e(count);
     if (std::abs(shape.tilt) > largest_tilt) return std::numeric_limits<double>::infinity();
-    double sum = share_of_tilt * shape.tilt * shape.tilt;
+    const double magnitude = std::exp(shape.log_magnitude);
+    double sum = drawn_back(shape);
     for (size_t i = 0; i < count; ++i) {
-        e[i] = ltc_density(inverse, directions_[i]) - densities_[i];
+        e[i] = magnitude * ltc_density(inverse, directions_[i]) - densities_[i];
         sum += chi_weights_[i] * e[i] * e[i];
     }
     return sum + 2 * dot_product(lower_half(e).data(), e.data(), count);
@@ -139,7 +152,9 @@ LobeDifference::Model LobeDifference::model(const LtcShape& shape) const {
                 dot_product(halves[b].data(), columns[a].data(), count);
     products[0][0] += share_of_tilt;
     products[0][n] += share_of_tilt * shape.tilt;
-    products[n][n] += share_of_tilt * shape.tilt * shape.tilt;
+    products[n - 1][n - 1] += share_of_magnitude;
+    products[n - 1][n] += share_of_magnitude * shape.log_magnitude;
+    products[n][n] += drawn_back(shape);
     Model model;
     model.value = products[n][n];
     for (size_t a = 0; a < n; ++a) {

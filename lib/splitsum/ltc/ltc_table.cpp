@@ -30,7 +30,7 @@ public:
     Walk(LtcTarget target, double n_dot_v, const LtcFitPlan& plan)
         : target_(target), n_dot_v_(n_dot_v), plan_(plan) {}
 
-    LtcInverse to(double perceptual_roughness) {
+    LtcFit to(double perceptual_roughness) {
         const double goal = std::max(perceptual_roughness, TargetLobe::smoothest);
         while (at_ > goal) {
             const double reachable =
@@ -39,7 +39,8 @@ public:
             step_to(last ? goal : reachable);
         }
         if (!started_) step_to(goal);
-        return inverse_of(shape_);
+        return {inverse_of(shape_), std::clamp(std::exp(shape_.log_magnitude),
+                                               1 - LtcFit::most_change, 1 + LtcFit::most_change)};
     }
 
 private:
@@ -78,23 +79,23 @@ std::vector<size_t> roughest_first(std::span<const double> perceptual_roughness)
 
 }  // namespace
 
-Result<std::vector<LtcInverse>> fit_ltc_table(LtcTarget target, std::span<const double> n_dot_v,
-                                              std::span<const double> perceptual_roughness,
-                                              Progress& progress, const LtcFitPlan& plan) {
+Result<std::vector<LtcFit>> fit_ltc_table(LtcTarget target, std::span<const double> n_dot_v,
+                                          std::span<const double> perceptual_roughness,
+                                          Progress& progress, const LtcFitPlan& plan) {
     const std::vector<size_t> order = roughest_first(perceptual_roughness);
-    std::vector<LtcInverse> matrices(n_dot_v.size() * perceptual_roughness.size());
+    std::vector<LtcFit> fits(n_dot_v.size() * perceptual_roughness.size());
     parallel_rows(static_cast<int>(n_dot_v.size()), [&](int i) {
         const auto column = static_cast<size_t>(i);
         Walk walk(target, n_dot_v[column], plan);
         for (const size_t row : order) {
             if (progress.cancelled()) return;
-            matrices[row * n_dot_v.size() + column] = walk.to(perceptual_roughness[row]);
+            fits[row * n_dot_v.size() + column] = walk.to(perceptual_roughness[row]);
         }
         progress.advance(1);
     });
     if (progress.cancelled())
         return Error{ErrorKind::interrupted, "the fit of the table was cancelled before its end"};
-    return matrices;
+    return fits;
 }
 
 }  // namespace splitsum

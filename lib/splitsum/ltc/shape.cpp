@@ -31,9 +31,9 @@ LtcDifferentiator::LtcDifferentiator(const LtcShape& shape)
       inverse_y_(std::exp(-shape.log_width_y)),
       shear_(shape.shear),
       tan_tilt_(std::tan(shape.tilt)),
-      determinant_(std::cos(shape.tilt) * inverse_x_ * inverse_y_) {}
+      factor_(std::exp(shape.log_magnitude) * std::cos(shape.tilt) * inverse_x_ * inverse_y_) {}
 
-// density = z' determinant / (pi |w|^4), and the derivatives are those of its logarithm times the
+// density = z' magnitude determinant / (pi |w|^4), and the derivatives are those of its logarithm times the
 // density, where the one that has z' in its denominator is taken apart.
 LtcSlope LtcDifferentiator::operator()(const Vec3d& direction) const {
     const Vec2d flat(direction.x, direction.z);
@@ -43,14 +43,14 @@ LtcSlope LtcDifferentiator::operator()(const Vec3d& direction) const {
     const double w_x = scaled_x - shear_ * z;
     const double w_y = direction.y * inverse_y_;
     const double inverse2 = 1 / (w_x * w_x + w_y * w_y + z * z);
-    const double density_over_z = determinant_ * std::numbers::inv_pi * inverse2 * inverse2;
+    const double density_over_z = factor_ * std::numbers::inv_pi * inverse2 * inverse2;
     const double density = z * density_over_z;
     const double z_by_tilt = dot(cut_x_, flat);
     return {density,
             {density_over_z * z_by_tilt - density * tan_tilt_ +
                  4 * density * inverse2 * z_by_tilt * (w_x * shear_ - z),
              density * (4 * w_x * scaled_x * inverse2 - 1),
-             density * (4 * w_y * w_y * inverse2 - 1), 4 * density * w_x * z * inverse2}};
+             density * (4 * w_y * w_y * inverse2 - 1), 4 * density * w_x * z * inverse2, density}};
 }
 
 }  // namespace splitsum

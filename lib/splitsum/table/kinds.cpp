@@ -97,9 +97,9 @@ constexpr TableKind kinds[] = {
      .error_of = error_of_diffuse_renormalised},
     {.name = "ltc-ggx",
      .summary = "polygonal lights: transformed cosines of GGX (Heitz et al. 2016), 2 layers",
-     .value =
-         "layer 0: inverse matrix m00 m20 m02 m22, middle entry 1; layer 1: albedo for F = 1, "
-         "the same weighted with (1 - v.h)^5, 0, horizon-clipped sphere; height-correlated Smith",
+     .value = "layer 0: inverse matrix m00 m20 m02 m22, middle entry 1; layer 1: albedo for F = 1, "
+              "to 1 %, the same weighted with (1 - v.h)^5, 0, horizon-clipped sphere; "
+              "height-correlated Smith",
      .channel_names = ltc_channels,
      .layers = 2,
      .view_axis = ViewAxis::sqrt_one_minus_cosine,
@@ -110,8 +110,9 @@ constexpr TableKind kinds[] = {
      .error_of = error_of_ltc_ggx},
     {.name = "ltc-disney",
      .summary = "the same for Burley's diffuse lobe",
-     .value = "layer 0: inverse matrix m00 m20 m02 m22, middle entry 1; layer 1: albedo, 0, 0, "
-              "horizon-clipped sphere; Disney diffuse (Burley 2012)",
+     .value =
+         "layer 0: inverse matrix m00 m20 m02 m22, middle entry 1; layer 1: albedo to 1 %, 0, 0, "
+         "horizon-clipped sphere; Disney diffuse (Burley 2012)",
      .channel_names = ltc_channels,
      .layers = 2,
      .view_axis = ViewAxis::sqrt_one_minus_cosine,

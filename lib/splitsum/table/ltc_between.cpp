@@ -1,6 +1,7 @@
 #include "splitsum/table/ltc_between.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -9,25 +10,40 @@
 namespace splitsum {
 namespace {
 
+// Of perceptual roughness: the first two rows of 64.
+constexpr double mirrors_below = 0.02;
+
 // 1 up to `all` and 0 from `none` on.
 double fading(double perceptual_roughness, double all, double none) {
     return std::clamp((none - perceptual_roughness) / (none - all), 0.0, 1.0);
 }
 
-// What remains of m after a share of a second difference is taken away.
-double straightened(double before, double m, double after, double share) {
-    return m - share / 12 * (before - 2 * m + after);
+double straightened(double before, double m, double after) {
+    return m - (before - 2 * m + after) / 12;
 }
 
-void straighten_row(std::span<LtcInverse> row, double share) {
+void straighten_row(std::span<LtcInverse> row) {
     const std::vector<LtcInverse> found(row.begin(), row.end());
     for (size_t i = 1; i + 1 < row.size(); ++i) {
         const LtcInverse &a = found[i - 1], &m = found[i], &b = found[i + 1];
-        const LtcInverse moved{.m00 = straightened(a.m00, m.m00, b.m00, share),
-                               .m20 = straightened(a.m20, m.m20, b.m20, share),
-                               .m02 = straightened(a.m02, m.m02, b.m02, share),
-                               .m22 = straightened(a.m22, m.m22, b.m22, share)};
+        const LtcInverse moved{.m00 = straightened(a.m00, m.m00, b.m00),
+                               .m20 = straightened(a.m20, m.m20, b.m20),
+                               .m02 = straightened(a.m02, m.m02, b.m02),
+                               .m22 = straightened(a.m22, m.m22, b.m22)};
         if (determinant(moved) > 0) row[i] = moved;
+    }
+}
+
+// With t = sqrt(1 - n·v) the mirror direction is 2 asin(t / sqrt(2)) from the normal. Between two vectors
+// along it, of lengths g and g (1 + e), a linear filter turns by w + e w (1 - w) of the way, w its
+// weight; that follows the angle where 2 g' / g is the derivative of log(angle'), taken negative:
+// g = (1 - t² / 2)^(1/4).
+void turn_evenly(std::span<LtcInverse> row, std::span<const double> n_dot_v) {
+    for (size_t i = 0; i < row.size(); ++i) {
+        const double factor =
+            std::pow(0.5 * (1 + n_dot_v[i]), 0.25) / std::hypot(row[i].m00, row[i].m02);
+        row[i].m00 *= factor;
+        row[i].m02 *= factor;
     }
 }
 
@@ -48,7 +64,10 @@ void fit_between_views(std::span<LtcInverse> matrices, const TableGrid& grid) {
         // Views are in the order of the axis: with texels at its ends the last is seen edge on, and the
         // interval before it is exact with the neighbour as it is.
         const bool ends_edge_on = columns > 1 && grid.n_dot_v.back() == 0;
-        straighten_row(ends_edge_on ? row.first(columns - 1) : row, fading(r, 0.1, 0.2));
+        if (r < mirrors_below)
+            turn_evenly(row, grid.n_dot_v);
+        else
+            straighten_row(ends_edge_on ? row.first(columns - 1) : row);
         if (ends_edge_on) point_along_horizon(row.back(), row[columns - 2], fading(r, 0.05, 0.12));
     }
 }

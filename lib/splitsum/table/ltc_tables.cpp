@@ -18,7 +18,7 @@
 namespace splitsum {
 namespace {
 
-// What the first two channels of layer 1 hold.
+// The integrals that the first two channels of layer 1 hold, times the magnitude of a fit.
 struct Magnitude {
     double albedo;
     double weighted;
@@ -82,9 +82,11 @@ Result<Table> bake_ltc(LtcTarget target, const TablePlan& plan, const TableGrid&
     const auto magnitude = magnitudes(target, plan, grid, progress);
     if (!magnitude) return magnitude.error();
     progress.begin("transformed cosines", static_cast<int>(grid.n_dot_v.size()));
-    auto inverse = fit_ltc_table(target, grid.n_dot_v, grid.perceptual_roughness, progress);
-    if (!inverse) return inverse.error();
-    if (target == LtcTarget::ggx) fit_between_views(*inverse, grid);
+    const auto fits = fit_ltc_table(target, grid.n_dot_v, grid.perceptual_roughness, progress);
+    if (!fits) return fits.error();
+    std::vector<LtcInverse> inverse;
+    for (const LtcFit& fit : *fits) inverse.push_back(fit.inverse);
+    if (target == LtcTarget::ggx) fit_between_views(inverse, grid);
 
     const int columns = static_cast<int>(grid.n_dot_v.size());
     const int rows = static_cast<int>(grid.perceptual_roughness.size());
@@ -92,14 +94,15 @@ Result<Table> bake_ltc(LtcTarget target, const TablePlan& plan, const TableGrid&
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < columns; ++x) {
             const auto at = static_cast<size_t>(y) * grid.n_dot_v.size() + static_cast<size_t>(x);
-            const LtcInverse& m = (*inverse)[at];
+            const LtcInverse& m = inverse[at];
             const double sphere = sphere_at(plan, grid.n_dot_v[static_cast<size_t>(x)],
                                             grid.perceptual_roughness[static_cast<size_t>(y)]);
             std::ranges::transform(std::array{m.m00, m.m20, m.m02, m.m22},
                                    table.texel(x, y, 0).begin(),
                                    [](double value) { return static_cast<float>(value); });
             std::ranges::transform(
-                std::array{(*magnitude)[at].albedo, (*magnitude)[at].weighted, 0.0, sphere},
+                std::array{(*fits)[at].magnitude * (*magnitude)[at].albedo,
+                           (*fits)[at].magnitude * (*magnitude)[at].weighted, 0.0, sphere},
                 table.texel(x, y, 1).begin(),
                 [](double value) { return static_cast<float>(value); });
         }

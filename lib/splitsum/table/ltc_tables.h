@@ -18,7 +18,9 @@ namespace splitsum {
 //     layer 1   the directional albedo for F = 1; the same weighted with Schlick's (1 - v·h)^5 (0 for
 //               diffuse light); 0; the share of a sphere that the horizon leaves (clipped_sphere.h)
 //
-// Both sums are exact but at n·v = 0, where GGX has what makes the last interval right (ltc_between.h).
+// Both are the exact integrals, but times one number from 0.99 to 1.01 with which the fitted lobe shades
+// best (ltc/fit.h); and at n·v = 0 GGX has what makes the last interval right (ltc_between.h). Take
+// integrals that must be exact, as for multiple scattering, from the tables that are made for them.
 //
 // A light of radiance L then adds L (F0 albedo + (F90 - F0) weighted) ltc_polygon_light(...) (Hill
 // 2016, "LTC Fresnel Approximation"). The last channel has axes of its own: where the roughness axis

@@ -13,7 +13,7 @@ namespace {
 LtcInverse fitted(LtcTarget target, double n_dot_v, double perceptual_roughness) {
     NoProgress progress;
     const auto table = fit_ltc_table(target, {&n_dot_v, 1}, {&perceptual_roughness, 1}, progress);
-    return table->front();
+    return table->front().inverse;
 }
 
 // Near a mirror the lobe is the distribution of facets itself, which in slopes is
@@ -61,8 +61,12 @@ TEST(LobeDifference, ModelIsItsValueAndSlope) {
     const TargetLobe lobe(LtcTarget::ggx, 0.4, 0.5);
     const LtcShape around = {.axis_angle = -0.9, .log_width_x = -0.7, .log_width_y = -0.8};
     const LobeDifference difference(lobe, around, {});
-    const LtcShape shape = {
-        .axis_angle = -0.9, .tilt = 0.1, .log_width_x = -0.6, .log_width_y = -0.9, .shear = 0.05};
+    const LtcShape shape = {.axis_angle = -0.9,
+                            .tilt = 0.1,
+                            .log_width_x = -0.6,
+                            .log_width_y = -0.9,
+                            .shear = 0.05,
+                            .log_magnitude = -0.03};
     const LobeDifference::Model model = difference.model(shape);
     EXPECT_NEAR(model.value, difference.value(shape), 1e-12);
     constexpr double step = 1e-5;

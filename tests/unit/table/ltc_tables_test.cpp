@@ -36,12 +36,13 @@ TEST(LtcTables, DefaultsAreWhatEnginesExpect) {
     }
 }
 
-// The product asks for 2 % (rms). Measured on these scenes: GGX 0.43 % of the radiance and 2.10 % of the
-// shaded value (the tables published with the paper: 1.8 % and 8.7 %), Disney diffuse 0.07 % and
-// 0.36 %; ltc/README.md has more scenes and says what is left.
+// The product asks for 2 % (rms), which is met over more scenes (ltc/README.md). Measured on these: GGX
+// 0.422 % of the radiance and 2.065 % of the shaded value (the tables published with the paper: 1.8 %
+// and 8.7 %), Disney diffuse 0.061 % and 0.33 %. With the albedo for a magnitude GGX has
+// 2.094 %, without straightening between views 2.074 %, with the albedo at n·v = 0 as it is 2.086 %.
 TEST(LtcTables, ShadePolygonsAsIntegrationDoes) {
     for (const auto& [name, target, rms, rel_rms] :
-         {std::tuple("ltc-ggx", LtcTarget::ggx, 0.006, 0.025),
+         {std::tuple("ltc-ggx", LtcTarget::ggx, 0.0043, 0.0207),
           std::tuple("ltc-disney", LtcTarget::disney_diffuse, 0.002, 0.006)}) {
         const TablePlan plan = plan_of(name);
         const ShadingErrors errors = shading_errors(bake(plan), plan, target);
@@ -70,9 +71,7 @@ TEST(LtcTables, TheTestNoticesWrongAxesAndAWrongWidth) {
 
 TEST(LtcTables, HoldTheSplitSumAndTheSphere) {
     const Table table = bake(plan_of("ltc-ggx"));
-    // r = 1, n·v = 1 and r = 0, n·v = 0.
-    EXPECT_NEAR(table.texel(63, 0, 1)[0], 0.30685F,
-                1e-4F);  // 1 - ln 2, height-correlated at alpha 1
+    // r = 0, n·v = 0.
     EXPECT_NEAR(table.texel(0, 63, 1)[0], 1, 1e-5F);
     // (1 - n·v)^5 as a line through its last interval, which ends at 0.997.
     EXPECT_NEAR(table.texel(0, 63, 1)[1], 1, 4e-3F);
@@ -81,6 +80,35 @@ TEST(LtcTables, HoldTheSplitSumAndTheSphere) {
     EXPECT_NEAR(table.texel(63, 63, 1)[3], 1, 1e-6F);
     EXPECT_NEAR(table.texel(32, 63, 1)[3], 0.5F * (1 + 1.0F / 63), 1e-6F);
     EXPECT_NEAR(table.texel(48, 0, 1)[3], 2 * 48 / 63.0F - 1, 1e-5F);
+}
+
+// As a fit wants it, within the one per cent that the documentation states; both sums alike. At n·v = 0
+// they are what makes the last interval right.
+TEST(LtcTables, HoldTheSplitSumToOnePerCent) {
+    const Table table = bake(plan_of("ltc-ggx"));
+    double most = 0;
+    for (int y = 0; y < 63; ++y)
+        for (int x = 1; x < 64; ++x) {
+            const double r = x / 63.0, t = y / 63.0;
+            const SplitSum sum = split_sum_exact(SmithTerm::height_correlated, 1 - t * t, r * r);
+            const double magnitude = static_cast<double>(table.texel(x, y, 1)[0]) / (sum.a + sum.b);
+            EXPECT_NEAR(static_cast<double>(table.texel(x, y, 1)[1]), magnitude * sum.b, 1e-5);
+            most = std::max(most, std::abs(magnitude - 1));
+        }
+    EXPECT_LT(most, 0.01 + 1e-5);
+    EXPECT_GT(most, 0.005);
+}
+
+// Entries may jump where the rows of mirrors end (ltc_between.h), what a light sees does not.
+TEST(LtcTables, ShadeAlikeOnBothSidesOfTheMirrorRows) {
+    const TablePlan plan = plan_of("ltc-ggx");
+    const Table table = bake(plan);
+    const Polygon panel = {
+        {-1.5, -0.6, 0.05}, {-1.3, 0.9, 0.05}, {-0.9, 0.8, 1.4}, {-1.1, -0.7, 1.5}};
+    for (const double n_dot_v : {0.15, 0.3, 0.6, 0.8})
+        for (const double step : {0.5, 1.0, 1.5, 2.0, 2.5, 3.0})
+            EXPECT_NEAR(shaded(table, plan, {panel, n_dot_v, step / 63}), 1, 5e-3)
+                << n_dot_v << " " << step;
 }
 
 // The lobe is the judge of tables, so it has judges of its own: the whole sky is the albedo, and a
