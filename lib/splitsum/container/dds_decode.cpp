@@ -3,25 +3,13 @@
 #include <optional>
 #include <string>
 
-#include "splitsum/base/text.h"
 #include "splitsum/container/dds.h"
 #include "splitsum/container/dds_layout_detail.h"
+#include "splitsum/container/decode_detail.h"
 #include "splitsum/container/limits_detail.h"
 
 namespace splitsum {
 namespace {
-
-using Bytes = std::span<const std::byte>;
-
-template <class... What>
-Error unreadable(const What&... what) {
-    return {ErrorKind::unreadable_input, cat(what...)};
-}
-
-template <class... What>
-Error unusable(const What&... what) {
-    return {ErrorKind::unusable_input, cat(what...)};
-}
 
 // Both headers; the second one where the first says that it follows.
 struct Headers {

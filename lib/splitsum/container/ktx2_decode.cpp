@@ -3,7 +3,7 @@
 #include <string>
 
 #include "splitsum/base/parallel.h"
-#include "splitsum/base/text.h"
+#include "splitsum/container/decode_detail.h"
 #include "splitsum/container/ktx2.h"
 #include "splitsum/container/ktx2_layout_detail.h"
 #include "splitsum/container/limits_detail.h"
@@ -11,18 +11,6 @@
 
 namespace splitsum {
 namespace {
-
-using Bytes = std::span<const std::byte>;
-
-template <class... What>
-Error unreadable(const What&... what) {
-    return {ErrorKind::unreadable_input, cat(what...)};
-}
-
-template <class... What>
-Error unusable(const What&... what) {
-    return {ErrorKind::unusable_input, cat(what...)};
-}
 
 template <class Pod>
 Pod load(Bytes bytes, size_t offset) {
