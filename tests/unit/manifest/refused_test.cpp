@@ -18,7 +18,7 @@ struct Refused {
 };
 
 std::ostream& operator<<(std::ostream& stream, const Refused& refused) {
-    return stream << refused.text;
+    return stream << refused.what;
 }
 
 class RefusedToml : public testing::TestWithParam<Refused> {};
