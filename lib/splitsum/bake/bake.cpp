@@ -6,6 +6,7 @@
 #include "splitsum/bake/facts.h"
 #include "splitsum/bake/recipe.h"
 #include "splitsum/base/atomic_file.h"
+#include "splitsum/base/content_hash.h"
 #include "splitsum/base/file_hash.h"
 #include "splitsum/base/staged_folder.h"
 #include "splitsum/base/text.h"
@@ -94,7 +95,7 @@ Status write_assets(const BakedAssets& assets, const BakePlan& plan, BakeReport&
         const auto path = folder.path() / name;
         const auto hash = hash_of_file(path);
         if (!hash) return Status(hash.error());
-        report.files.push_back({name, int64_t(file_size(path)), what, cat("xxh3-128:", *hash)});
+        report.files.push_back({name, int64_t(file_size(path)), what, named_hash(*hash)});
         return written;
     };
     const auto& container = plan.container;

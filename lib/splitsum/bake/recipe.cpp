@@ -110,7 +110,7 @@ std::string recipe_of(const std::string& source_name, const std::string& source_
         add(name);
         add(value);
     }
-    return "xxh3-128:" + hash.digits();
+    return named_hash(hash.digits());
 }
 
 Result<std::string> recipe_of(const std::string& source_name, const std::string& source_hash,

@@ -27,4 +27,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
+/// A hash as files and reports name it: "xxh3-128:" and its digits.
+inline std::string named_hash(const std::string& digits) { return "xxh3-128:" + digits; }
+
 }  // namespace splitsum

@@ -78,7 +78,7 @@ std::string hash_of(const ocio::Config& config) {
     }
     ContentHash hash;
     hash.add(text.str());
-    return "xxh3-128:" + hash.digits();
+    return named_hash(hash.digits());
 }
 
 }  // namespace

@@ -3,16 +3,12 @@
 
 #include "splitsum/container/dds.h"
 #include "splitsum/container/dds_layout_detail.h"
+#include "splitsum/container/encode_detail.h"
 
 namespace splitsum {
 namespace {
 
 using Bytes = std::vector<std::byte>;
-
-void append(Bytes& file, const void* data, size_t size) {
-    const auto* bytes = static_cast<const std::byte*>(data);
-    file.insert(file.end(), bytes, bytes + size);
-}
 
 const dds::FormatCode& code_of(PixelFormat format) {
     return *std::ranges::find(dds::format_codes, format, &dds::FormatCode::format);

@@ -6,6 +6,7 @@
 #include "splitsum/base/parallel.h"
 #include "splitsum/base/text.h"
 #include "splitsum/base/version.h"
+#include "splitsum/container/encode_detail.h"
 #include "splitsum/container/ktx2.h"
 #include "splitsum/container/ktx2_descriptor_detail.h"
 #include "splitsum/container/ktx2_layout_detail.h"
@@ -15,11 +16,6 @@ namespace splitsum {
 namespace {
 
 using Bytes = std::vector<std::byte>;
-
-void append(Bytes& file, const void* data, size_t size) {
-    const auto* bytes = static_cast<const std::byte*>(data);
-    file.insert(file.end(), bytes, bytes + size);
-}
 
 void pad_to_multiple_of(Bytes& file, size_t alignment) {
     file.resize((file.size() + alignment - 1) / alignment * alignment);

@@ -25,7 +25,7 @@ std::string recipe_of(const LibraryTable& table) {
                  size, "\nsamples ", samples, "\naccuracy ", accuracy.value_or(0), "\ngeometry ",
                  int(geometry), "\nlayout ", int(layout), "\naxes ", int(axes), "\nroughness axis ",
                  int(roughness_axis), "\nflip ", flip, "\nzstd ", ktx2.zstd ? ktx2.zstd_level : 0));
-    return cat("xxh3-128:", hash.digits());
+    return named_hash(hash.digits());
 }
 
 // Of everything that the file says but this hash.

@@ -1,5 +1,6 @@
 #include "splitsum/library/merge.h"
 
+#include "splitsum/base/content_hash.h"
 #include "splitsum/base/file_hash.h"
 #include "splitsum/base/parallel.h"
 #include "splitsum/base/text.h"
@@ -31,7 +32,7 @@ std::string broken_promise(const fs::path& folder, const BakedFacts& facts) {
         std::string broken = broken_certificate_of(folder / file.name);
         const auto hash = hash_of_file(folder / file.name);
         if (broken.empty() && !hash) broken = hash.error().message;
-        if (broken.empty() && cat("xxh3-128:", *hash) != file.hash)
+        if (broken.empty() && named_hash(*hash) != file.hash)
             broken = "the bytes are not those that the report names";
         if (!broken.empty()) return cat(file.name, ": ", broken);
     }

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "splitsum/base/atomic_file.h"
+#include "splitsum/base/content_hash.h"
 #include "splitsum/base/file_hash.h"
 #include "splitsum/base/text.h"
 
@@ -102,7 +103,7 @@ Result<SourceHash> hash_of_source(const fs::path& source, const fs::path& folder
     const auto hash = hash_of_file(source);
     if (!hash) return hash.error();
     if (Status unchanged = check_unchanged(source, *stamp); !unchanged) return unchanged.error();
-    return SourceHash{"xxh3-128:" + *hash, *stamp, true};
+    return SourceHash{named_hash(*hash), *stamp, true};
 }
 
 }  // namespace splitsum

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "splitsum/base/content_hash.h"
 #include "splitsum/base/file_hash.h"
 #include "splitsum/base/parallel.h"
 #include "splitsum/base/text.h"
@@ -127,7 +128,7 @@ Status read_rows(const fs::path& path, OpenPanorama& file, const RowSink& sink,
              [&] { hash = hash_of_file(path); });
     if (!read) return read;
     if (!hash) return hash.error();
-    file.facts.source_hash = "xxh3-128:" + *hash;
+    file.facts.source_hash = named_hash(*hash);
     return ok;
 }
 

@@ -86,7 +86,7 @@ std::string certificate_hash(const TextureAsset& texture) {
         for (const std::string& text : {key, value})
             hash.add(std::string_view(text.c_str(), text.size() + 1));
     }
-    return "xxh3-128:" + hash.digits();
+    return named_hash(hash.digits());
 }
 
 void certify(TextureAsset& texture, const Certificate& certificate) {
