@@ -16,7 +16,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "support"))
 from children import Children, command_of, descendants, environment_of
 from slurm_cluster import SlurmCluster
-from small_library import SMALL, Baked, bake, files_of, write_library
+from small_library import SMALL, Baked, bake, reports_below, write_library
 
 PANORAMAS = 100
 SHARDS = 10
@@ -83,7 +83,7 @@ class Slurm(unittest.TestCase):
 
     def test_a_library_survives_the_loss_of_a_node(self):
         array, merge = self.submit()
-        self.wait_until(lambda: len(list(self.output.glob("**/report.json"))) > PANORAMAS // 3
+        self.wait_until(lambda: reports_below(self.output) > PANORAMAS // 3
                         and self.hold_a_bake_on("far"), "a third of the library")
         self.assertGreater(self.cluster.kill_node("far"), 2)
         self.assertEqual(self.bakes_on("far"), [])
@@ -101,7 +101,7 @@ class Slurm(unittest.TestCase):
         self.assertEqual(alone.returncode, 0, alone.stderr)
         whole = Baked(self.folder / "alone")
         self.assertEqual(whole.complaints_about_whole(self.output), [])
-        self.assertEqual(sum(name.endswith("report.json") for name in files_of(self.output)), PANORAMAS)
+        self.assertEqual(reports_below(self.output), PANORAMAS)
 
     def test_the_merge_fails_where_a_shard_is_missing(self):
         write_library(self.library / "more", 2)

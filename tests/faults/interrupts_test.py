@@ -11,7 +11,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
-from small_library import Baked, bake, bake_command, files_of, is_hidden, write_library
+from small_library import Baked, bake, bake_command, files_of, is_hidden, reports_below, write_library
 
 
 class Interrupted(unittest.TestCase):
@@ -61,7 +61,7 @@ class Interrupted(unittest.TestCase):
         output = self.folder / "output"
         process = self.start(library, output, "--threads", "1")
         deadline = time.monotonic() + 60
-        while not any(output.glob("**/report.json")) and time.monotonic() < deadline:
+        while reports_below(output) == 0 and time.monotonic() < deadline:
             time.sleep(0.001)
         waiting = [file for file in sorted(library.rglob("*.hdr")) if not self.begun(library, output, file)]
         # From both ends of the list, as the order of work is nobody's business.

@@ -62,6 +62,12 @@ def files_of(folder: Path) -> dict[str, str]:
     return found
 
 
+def reports_below(folder: Path) -> int:
+    """How many panoramas are complete. Folders may come and go meanwhile."""
+    return sum("report.json" in files for parent, _, files in os.walk(folder)
+               if not is_hidden(os.path.relpath(parent, folder)))
+
+
 def visible(files: dict[str, str]) -> dict[str, str]:
     """What a user sees: without bookkeeping and work in progress."""
     return {name: digest for name, digest in files.items() if not is_hidden(name) and digest}

@@ -36,6 +36,8 @@ std::filesystem::path LibraryWork::folder_of(const LibraryItem& item) const {
 }
 
 void LibraryWork::look_at_all() {
+    // Of whoever was killed over the table, which may be up to date since.
+    if (!run_.dry_run) remove_leftovers(run_.folder);
     parallel_rows(int(items_.size()), [&](int i) {
         if (!progress_.cancelled()) look_at(items_[size_t(i)]);
     });

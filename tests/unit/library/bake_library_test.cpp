@@ -8,6 +8,7 @@
 #include <functional>
 #include <set>
 
+#include "splitsum/base/temporary.h"
 #include "splitsum/library/merge.h"
 #include "support/temporary_folder.h"
 
@@ -146,6 +147,21 @@ TEST_F(BakeLibrary, BeginsNothingAfterItIsCancelled) {
     EXPECT_FALSE(rest.stopped);
     EXPECT_EQ(std::ranges::count(outcomes(rest), Outcome::up_to_date), 1);
     EXPECT_EQ(std::ranges::count(outcomes(rest), Outcome::baked), 4);
+}
+
+// As when one of two was killed, and the other has completed the library since.
+TEST_F(BakeLibrary, RemovesWhatTheKilledLeftWhereAllIsUpToDate) {
+    bake();
+    const std::vector<fs::path> leftovers = {run_.folder / temporary_name(),
+                                             run_.folder / "sky1" / temporary_name()};
+    for (const fs::path& file : leftovers) tests::write_bytes(file, "half a table");
+    run_.dry_run = true;
+    bake();
+    for (const fs::path& file : leftovers)
+        EXPECT_TRUE(fs::exists(file)) << "dry runs write nothing";
+    run_.dry_run = false;
+    EXPECT_EQ(outcomes(bake()), std::vector(5, Outcome::up_to_date));
+    for (const fs::path& file : leftovers) EXPECT_FALSE(fs::exists(file)) << file;
 }
 
 // What comes too late changes nothing.
