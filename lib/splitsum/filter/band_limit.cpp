@@ -8,6 +8,29 @@ namespace {
 
 double square(double x) { return x * x; }
 
+// No light without negative parts has more in any band.
+bool is_within_power_of_point(const Spectrum& spectrum, int bands) {
+    constexpr double rounding = 1 + 1e-6;
+    for (int l = 1; l < bands; ++l)
+        if (spectrum.power(l) > rounding * (2 * l + 1) * spectrum.power(0)) return false;
+    return true;
+}
+
+// What the filtered light can have in the bands from `bands` on, which were not transformed.
+double power_beyond(const Spectrum& spectrum, std::span<const double> factors, size_t bands) {
+    double rest = spectrum.total_power();
+    for (size_t l = 0; l < bands; ++l) rest -= spectrum.power(int(l));
+    rest = std::max(rest, 0.0);
+    double largest_factor = 0, of_point = 0;
+    for (size_t l = bands; l < factors.size(); ++l) {
+        largest_factor = std::max(largest_factor, std::abs(factors[l]));
+        of_point += square(factors[l]) * double(2 * l + 1) * spectrum.power(0);
+    }
+    const double by_rest = square(largest_factor) * rest;
+    if (!is_within_power_of_point(spectrum, int(bands))) return by_rest;
+    return std::min(by_rest, of_point + square(factors.back()) * rest);
+}
+
 }  // namespace
 
 std::vector<double> significant_factors(FilterTables& tables, const Lobe& lobe, double smallest,
@@ -49,23 +72,18 @@ double negligible_factor(double total_power, double mean_power, double accuracy)
     return std::max(smallest_known, accuracy * (share > least_share ? std::sqrt(share) : 1e-3));
 }
 
-BandLimit band_limit(const Spectrum& spectrum, std::span<const double> factors, double accuracy) {
+BandLimit band_limit(const Spectrum& spectrum, std::span<const double> factors, double accuracy,
+                     int most) {
     const size_t bands = std::min(size_t(spectrum.bands()), factors.size() - 1);
-    double kept_power = 0, inside = 0;
-    for (size_t l = 0; l < bands; ++l) {
-        kept_power += square(factors[l]) * spectrum.power(int(l));
-        inside += spectrum.power(int(l));
-    }
+    double kept_power = 0;
+    for (size_t l = 0; l < bands; ++l) kept_power += square(factors[l]) * spectrum.power(int(l));
     if (kept_power == 0) return {1, 0};  // black
     // From the highest band down, as long as what is left out stays under the limit.
-    double largest_beyond = 0;
-    for (size_t l = bands; l < factors.size(); ++l)
-        largest_beyond = std::max(largest_beyond, std::abs(factors[l]));
-    double left_out = square(largest_beyond) * std::max(0.0, spectrum.total_power() - inside);
+    double left_out = power_beyond(spectrum, factors, bands);
     size_t limit = bands;
     while (limit > 1) {
         const double more = left_out + square(factors[limit - 1]) * spectrum.power(int(limit) - 1);
-        if (more > square(accuracy) * kept_power) break;
+        if (more > square(accuracy) * kept_power && limit <= size_t(most)) break;
         left_out = more;
         --limit;
     }

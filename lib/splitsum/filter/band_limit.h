@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -33,7 +34,14 @@ std::optional<int> bands_for_point_light(FilterTables& tables, const Lobe& lobe,
 double negligible_factor(double total_power, double mean_power, double accuracy);
 
 /// The smallest number of bands whose truncation bound is at most `accuracy`, or as many as spectrum
-/// and factors have if none is. The last factor is not used as such: it bounds all that follow.
-BandLimit band_limit(const Spectrum& spectrum, std::span<const double> factors, double accuracy);
+/// and factors have, and `most` allows, if none is. The last factor is not used as such: it bounds
+/// all that follow.
+///
+/// Of bands that were never transformed the power is bounded twice, and the smaller bound counts:
+/// together they have what is left of ∫ L² dl, and a band of light without negative parts has at most
+/// the 2 l + 1 fold power of band 0, which is what a single point has (|P_l| <= 1 in the addition
+/// theorem; DLMF 14.30.9).
+BandLimit band_limit(const Spectrum& spectrum, std::span<const double> factors, double accuracy,
+                     int most = std::numeric_limits<int>::max());
 
 }  // namespace splitsum

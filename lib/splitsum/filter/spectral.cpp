@@ -25,6 +25,10 @@ constexpr int most_bands = 2000;
 // 9e-4 with 0.3 and 3.4e-4 with 0.1; with 0.05 no capture shows more than 2e-4.
 constexpr double truncation_share = 0.05;
 constexpr double largest_truncation_share = 0.5;  // where the bands were chosen before the light
+// The horizon of a rough lobe has some power in every band, and under a point of light in darkness
+// the last digits of it take thousands: no more are kept than a point takes for this share. It shows
+// where that is dark, on texels that the light itself does not reach.
+constexpr double horizon_truncation_share = 0.2;
 constexpr double interpolation_share = 0.05;
 constexpr double cap_share = 0.1;
 
@@ -35,6 +39,7 @@ constexpr double near_texels = 4;
 struct LobePlan {
     Lobe transformed;                  // what the transform filters with
     std::vector<double> factors;       // its significant band factors
+    int most_kept = most_bands;        // of them, under any light
     std::optional<NarrowLobe> narrow;  // what is added for a narrow lobe
 };
 
@@ -81,28 +86,39 @@ double negligible_for(const FilterSource& source, double accuracy) {
                              4 * std::numbers::pi * dot(mean, mean), accuracy);
 }
 
-// How many bands the lobe takes under a point light, the worst that can shine on it, if that is
-// within reach. Of rough lobes, whose horizon has some power in any band, nothing is said.
-std::optional<int> bands_of_narrow(FilterTables& tables, const Lobe& lobe, double accuracy) {
+bool has_horizon(const Lobe& lobe) {
     constexpr double narrow = 0.5;  // radians
-    if (lobe_width(lobe) > narrow) return 1;
+    return lobe_width(lobe) > narrow;
+}
+
+// How many bands the lobe takes under a point light, the worst that can shine on it, if that is
+// within reach. Of rough lobes nothing is said: few lights need what a point does.
+std::optional<int> bands_of_narrow(FilterTables& tables, const Lobe& lobe, double accuracy) {
+    if (has_horizon(lobe)) return 1;
     return bands_for_point_light(tables, lobe, truncation_share * accuracy, most_bands);
+}
+
+int most_kept_of(FilterTables& tables, const Lobe& lobe, double accuracy) {
+    if (!has_horizon(lobe)) return most_bands;
+    return bands_for_point_light(tables, lobe, horizon_truncation_share * accuracy, most_bands)
+        .value_or(most_bands);
 }
 
 LobePlan plan_lobe(FilterTables& tables, const Lobe& lobe, double negligible, double accuracy) {
     Lobe wide = lobe;
     while (!bands_of_narrow(tables, wide, accuracy)) wide.alpha *= 1.25;
-    LobePlan plan{wide, significant_factors(tables, wide, negligible, most_bands), std::nullopt};
+    LobePlan plan{wide, significant_factors(tables, wide, negligible, most_bands),
+                  most_kept_of(tables, wide, accuracy), std::nullopt};
     if (wide.alpha > lobe.alpha) plan.narrow.emplace(lobe.alpha, wide.alpha, cap_share * accuracy);
     return plan;
 }
 
-// As many bands as these lobes can need, or fewer where what they leave out turns out not to matter:
-// the horizon of a rough lobe has some power in all bands, most skies have not.
+// As many bands as these lobes can need, or fewer where what they leave out turns out not to matter.
 Spectrum transform_for(const FilterSource& source, std::span<const Lobe> lobes,
                        const std::vector<LobePlan>& plans, double accuracy) {
     int most = 1;
-    for (const LobePlan& plan : plans) most = std::max(most, int(plan.factors.size()) - 1);
+    for (const LobePlan& plan : plans)
+        most = std::max(most, std::min(int(plan.factors.size()) - 1, plan.most_kept));
     const int guess = bands_to_transform(*source.tables, lobes, accuracy).value_or(most);
     Spectrum spectrum = forward_transform(source.environment, std::min(guess, most));
     const bool enough = std::ranges::all_of(plans, [&](const LobePlan& plan) {
@@ -113,7 +129,8 @@ Spectrum transform_for(const FilterSource& source, std::span<const Lobe> lobes,
 }
 
 FilteredLobe filter_lobe(const Spectrum& spectrum, const LobePlan& plan, double accuracy) {
-    const BandLimit limit = band_limit(spectrum, plan.factors, truncation_share * accuracy);
+    const BandLimit limit =
+        band_limit(spectrum, plan.factors, truncation_share * accuracy, plan.most_kept);
     const auto factors = std::span(plan.factors).first(size_t(limit.bands));
     const GridSize size = grid_size(spectrum, factors, interpolation_share * accuracy);
     LevelAccount account{.method = "spectral", .bands = limit.bands};
@@ -162,7 +179,8 @@ int bands_needed(FilterTables& tables, const Spectrum& spectrum, std::span<const
         const double bound =
             band_limit(spectrum, factors, truncation_share * accuracy).truncation_bound;
         if (bound > largest_truncation_share * accuracy)
-            bands = std::max(bands, int(factors.size()) - 1);
+            bands = std::max(
+                bands, std::min(int(factors.size()) - 1, most_kept_of(tables, lobe, accuracy)));
     }
     return bands;
 }

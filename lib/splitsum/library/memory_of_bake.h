@@ -11,13 +11,12 @@ namespace splitsum {
 /// upper bound, from what they allocate. `size` as panorama_size tells it, `threads` those that the
 /// bake's loops may use.
 ///
-/// Light decides how many harmonics a lobe takes; what is assumed here is more than skies, lamps and
-/// suns of 1e5 were seen to take. A single texel of light in complete darkness takes up to 150 MB
-/// more. A file that is streamed and turns out to need repair is read whole: 12 bytes a texel more.
+/// Light decides how many harmonics a lobe takes; what is assumed here is the worst light, a single lit
+/// texel in complete darkness. A file that is read with PanoramaOptions::repair may have to be kept
+/// whole, which is in `size.reading_bytes`.
 ///
-/// Measured: 1.0 to 1.75 times what splitsum-bake has resident beyond its start, 2.2 times for the
-/// smallest bake of a plain sky; from 1024 x 512 to 16384 x 8192 texels, 256² with 7 levels and 512²
-/// with 9.
+/// Measured: 1.0 to 1.4 times what splitsum-bake has resident beyond its start under that light, 1.0
+/// to 2.4 times under skies; from 1024 x 512 to 16384 x 8192 texels, 256² with 7 levels and 512² with 9.
 int64_t memory_of_bake(const PanoramaSize& size, const BakePlan& plan, int threads);
 
 /// What bakes leave behind for the next: FilterTables, and what libraries and the heap keep. Once for

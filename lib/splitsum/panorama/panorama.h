@@ -58,7 +58,8 @@ Result<Panorama> read_panorama(const std::filesystem::path& path, const Panorama
 struct PanoramaSize {
     int width;
     int height;
-    int64_t reading_bytes = 0;  ///< memory that streaming the file takes, an upper bound
+    int64_t reading_bytes = 0;  ///< memory that streaming the file takes, an upper bound; with all
+                                ///< pixels where they may have to be repaired
 };
 Result<PanoramaSize> panorama_size(const std::filesystem::path& path,
                                    const PanoramaOptions& options);

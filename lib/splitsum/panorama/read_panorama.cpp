@@ -195,7 +195,8 @@ Result<PanoramaSize> panorama_size(const fs::path& path, const PanoramaOptions& 
     if (!reader) return reader.error();
     if (Status shape = check_shape(path, reader->info()); !shape) return shape.error();
     const ImageFileInfo& info = reader->info();
-    return PanoramaSize{info.width, info.height, info.reading_bytes};
+    const int64_t whole = options.repair ? int64_t{12} * info.width * info.height : 0;
+    return PanoramaSize{info.width, info.height, info.reading_bytes + whole};
 }
 
 Result<Panorama> stream_panorama(const fs::path& path, const PanoramaOptions& options,

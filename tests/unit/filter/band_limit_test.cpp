@@ -42,6 +42,42 @@ TEST(BandLimit, CountsThePowerThatWasNeverTransformed) {
     EXPECT_GT(limit.truncation_bound, 1e-2);
 }
 
+Environment one_texel(int height, float radiance) {
+    Environment light(height);
+    light.set_texel(height, height / 3, Vec3(radiance));
+    return light;
+}
+
+// The power that a lit texel has in thousands of bands cannot all be in the next one.
+TEST(BandLimit, KnowsHowMuchPowerABandCanHave) {
+    const Spectrum all = forward_transform(one_texel(256, 1e3f), 500);
+    const Spectrum some = forward_transform(one_texel(256, 1e3f), 50);
+    const std::vector<double> factors = band_factors({LobeKind::cosine}, 1000);
+    double left_out = 0, kept = 0;
+    for (int l = 0; l < 500; ++l)
+        (l < 50 ? kept : left_out) += factors[size_t(l)] * factors[size_t(l)] * all.power(l);
+    const BandLimit limit = band_limit(some, factors, 1e-5);
+    EXPECT_GE(limit.bands, 49);  // odd bands of the cosine are 0
+    EXPECT_GT(limit.truncation_bound, std::sqrt(left_out / kept));
+    EXPECT_LT(limit.truncation_bound, 1.5 * std::sqrt(left_out / kept));
+
+    // Where light has negative parts it may: there the bound has to be the larger one.
+    Environment mixed = one_texel(256, 1e3f);
+    mixed.set_texel(7, 100, Vec3(-1e3f));
+    EXPECT_GT(band_limit(forward_transform(mixed, 50), factors, 1e-5).truncation_bound,
+              5 * limit.truncation_bound);
+}
+
+TEST(BandLimit, KeepsNoMoreThanAllowed) {
+    const Spectrum spectrum = forward_transform(one_texel(64, 1), 300);
+    const std::vector<double> factors = band_factors({LobeKind::ggx, 1}, 301);
+    const BandLimit limit = band_limit(spectrum, factors, 1e-6, 50);
+    EXPECT_EQ(limit.bands, 50);
+    EXPECT_GT(limit.truncation_bound, 1e-6);
+    EXPECT_EQ(band_limit(spectrum, factors, 1e-1, 50).bands,
+              band_limit(spectrum, factors, 1e-1).bands);
+}
+
 TEST(BandLimit, ABlackSkyNeedsOneBand) {
     const Environment black(8);
     EXPECT_EQ(band_limit(forward_transform(black, 4), std::vector<double>(5, 1.0), 1e-4).bands, 1);

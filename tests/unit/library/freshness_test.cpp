@@ -5,6 +5,7 @@
 #include <ctime>
 #include <fstream>
 
+#include "splitsum/base/version.h"
 #include "support/temporary_folder.h"
 
 namespace splitsum {
@@ -140,7 +141,7 @@ TEST_F(FreshnessOfABake, OtherReportsAreNotTrusted) {
         EXPECT_NE(place, std::string::npos) << from;
         tests::write_bytes(folder_ / "report.json", changed.replace(place, from.size(), to));
     };
-    with("\"algorithm\": 1", "\"algorithm\": 999");
+    with("\"algorithm\": " + std::to_string(algorithm_version), "\"algorithm\": 999");
     expect_stale("version 999 of the algorithm");
     with("\"recipe\": ", "\"receipt\": ");
     expect_stale("recorded no recipe");

@@ -133,6 +133,16 @@ TEST_F(LargeFile, TakesRowsBackWhereADefectComesLate) {
     expect_same(path(), options);
 }
 
+TEST(StreamPanorama, MayHaveToKeepWhatIsToBeRepaired) {
+    PanoramaOptions options;
+    const auto streamed = panorama_size(test_data / "panoramas/lopsided.exr", options);
+    options.repair = true;
+    const auto repaired = panorama_size(test_data / "panoramas/lopsided.exr", options);
+    ASSERT_TRUE(streamed && repaired);
+    EXPECT_EQ(repaired->reading_bytes - streamed->reading_bytes,
+              int64_t{12} * streamed->width * streamed->height);
+}
+
 TEST_F(LargeFile, RefusesWhatTheExposureMakesInfinite) {
     write_with(3e38f, 400, 299);
     PanoramaOptions options;
