@@ -52,18 +52,17 @@ struct Sums {
 
 }  // namespace
 
-std::vector<SphereErrors> sphere_errors(const Image& baked, std::span<const ExactPixel> exact,
+std::vector<SphereErrors> sphere_errors(const Image& baked, const Image& exact,
                                         const TruthPicture& truth, int spheres) {
     std::vector<Sums> sums{size_t(spheres)};
-    for (const ExactPixel& pixel : exact) {
-        Sums& of_sphere = sums[size_t(pixel.sphere)];
-        of_sphere.baked.push_back(Vec3(pixel_of(baked, size_t(pixel.index))));
-        of_sphere.exact.push_back(pixel.radiance);
-        of_sphere.approximation.add(Vec3d(pixel.radiance), truth, size_t(pixel.index));
+    for (size_t i = 0; i < truth.sphere_at.size(); ++i) {
+        if (truth.sphere_at[i] == TruthPicture::background) continue;
+        Sums& of_sphere = sums[size_t(truth.sphere_at[i])];
+        of_sphere.baked.push_back(Vec3(pixel_of(baked, i)));
+        of_sphere.exact.push_back(Vec3(pixel_of(exact, i)));
+        of_sphere.approximation.add(pixel_of(exact, i), truth, i);
+        of_sphere.together.add(pixel_of(baked, i), truth, i);
     }
-    for (size_t i = 0; i < truth.sphere_at.size(); ++i)
-        if (truth.sphere_at[i] != TruthPicture::background)
-            sums[size_t(truth.sphere_at[i])].together.add(pixel_of(baked, i), truth, i);
     std::vector<SphereErrors> errors;
     for (const Sums& of_sphere : sums)
         errors.push_back({error_figures(of_sphere.baked, of_sphere.exact),

@@ -1,11 +1,9 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "splitsum/image/image.h"
 #include "splitsum/measure/error_figures.h"
-#include "splitsum/preview/split_exact.h"
 #include "splitsum/preview/truth_picture.h"
 
 namespace splitsum {
@@ -20,21 +18,21 @@ struct NoisyFigures {
     int pixels = 0;    ///< compared; those without truth are left out
 };
 
-/// Why a sphere under baked light does not look as it should.
+/// Why a sphere under baked light does not look as it should, over all of its pixels.
 struct SphereErrors {
-    /// (a) The baked data alone, texels, levels, formats and table: the picture against the exact
-    /// split sum, at the pixels of split_exact.
+    /// (a) The baked data alone, texels, levels, formats and table: the baked picture against the
+    /// exact split sum.
     ErrorFigures baked_data;
     /// (b) The split-sum approximation alone, which no bake can help: the exact split sum against the
-    /// truth, at the same pixels.
+    /// truth.
     NoisyFigures approximation;
-    /// Both together: the picture against the truth, at every pixel of the sphere.
+    /// Both together: the baked picture against the truth.
     NoisyFigures together;
 };
 
-/// For each sphere of the scene. `baked` is the picture of the scene, `exact` of split_exact and
-/// `truth` of truth_picture for the same scene and camera.
-std::vector<SphereErrors> sphere_errors(const Image& baked, std::span<const ExactPixel> exact,
+/// For each of `spheres` spheres: `baked` is the picture of the scene, `exact` the radiance of
+/// split_exact and `truth` of truth_picture for the same scene and camera.
+std::vector<SphereErrors> sphere_errors(const Image& baked, const Image& exact,
                                         const TruthPicture& truth, int spheres);
 
 }  // namespace splitsum

@@ -1,90 +1,98 @@
 #include "splitsum/preview/split_exact.h"
 
 #include <algorithm>
+#include <vector>
 
-#include "splitsum/filter/reference_probes.h"
-#include "splitsum/preview/sphere_surfaces.h"
-#include "splitsum/verify/all_rows_detail.h"
+#include "splitsum/base/parallel.h"
+#include "splitsum/preview/exact_light_detail.h"
 
 namespace splitsum {
 namespace {
 
-struct SeenPixel {
-    int index;
-    SeenSurface seen;
+// Pixels of one sphere.
+struct SplitPixels {
+    std::vector<int> indices;  // y * width + x
+    std::vector<Surface> surfaces;
 };
 
-std::vector<std::vector<SeenPixel>> pixels_of_spheres(const Scene& scene, const Camera& camera) {
-    std::vector<std::vector<SeenPixel>> of_sphere(scene.spheres.size());
+std::vector<SplitPixels> pixels_of_spheres(const Scene& scene, const Camera& camera,
+                                           const Mat3d& panorama_from_cube) {
+    const SphereSurfaces surfaces(scene, panorama_from_cube);
+    std::vector<SplitPixels> of_sphere(scene.spheres.size());
     for (int y = 0; y < camera.height; ++y)
         for (int x = 0; x < camera.width; ++x)
-            if (const auto seen = first_surface(scene, camera, x, y))
-                of_sphere[size_t(seen->sphere)].push_back({y * camera.width + x, *seen});
+            if (const auto seen = first_surface(scene, camera, x, y)) {
+                SplitPixels& pixels = of_sphere[size_t(seen->sphere)];
+                pixels.indices.push_back(y * camera.width + x);
+                pixels.surfaces.push_back(surfaces.at(*seen));
+            }
     return of_sphere;
 }
 
-std::vector<SeenPixel> evenly_chosen(const std::vector<SeenPixel>& pixels, int most) {
-    const size_t count = std::min(pixels.size(), size_t(most));
-    std::vector<SeenPixel> chosen;
-    for (size_t i = 0; i < count; ++i)
-        chosen.push_back(pixels[(2 * i + 1) * pixels.size() / (2 * count)]);
+void draw(const SplitPixels& pixels, const ExactLight& light, Image& picture) {
+    constexpr size_t at_once = 256;
+    const size_t count = pixels.surfaces.size();
+    parallel_rows(int((count + at_once - 1) / at_once), [&](int part) {
+        const size_t begin = at_once * size_t(part);
+        const auto surfaces =
+            std::span(pixels.surfaces).subspan(begin, std::min(at_once, count - begin));
+        const std::vector<SplitLight> lit = light.at(surfaces);
+        for (size_t i = 0; i < surfaces.size(); ++i) {
+            const Vec3 radiance = lit[i].seen_on(surfaces[i]);
+            std::copy_n(&radiance.x, 3, &picture.rgb[3 * size_t(pixels.indices[begin + i])]);
+        }
+    });
+}
+
+// Up to `count` of each sphere's, evenly spread.
+SplitPixels evenly_chosen(const std::vector<SplitPixels>& of_sphere, int count) {
+    SplitPixels chosen;
+    for (const SplitPixels& pixels : of_sphere) {
+        const size_t all = pixels.indices.size();
+        const size_t some = std::min(all, size_t(count));
+        for (size_t i = 0; i < some; ++i) {
+            const size_t place = (2 * i + 1) * all / (2 * some);
+            chosen.indices.push_back(pixels.indices[place]);
+            chosen.surfaces.push_back(pixels.surfaces[place]);
+        }
+    }
     return chosen;
 }
 
-// A surface whose two kinds of light may still have to be integrated.
-class SplitSurface {
-public:
-    explicit SplitSurface(const Surface& surface) : surface_(surface) {}
-
-    // Adds what this surface needs to what is integrated.
-    void ask(std::vector<ReferenceProbes::Probe>& probes) {
-        if (surface_.alpha > 0) {
-            specular_ = probes.size();
-            probes.push_back({{LobeKind::ggx, surface_.alpha}, mirrored_view(surface_)});
-        }
-        diffuse_ = probes.size();
-        if (surface_.response.diffuse_albedo != Vec3d(0))
-            probes.push_back({{LobeKind::cosine}, surface_.frame.normal});
+Result<ErrorFigures> compared(const Image& picture, const SplitPixels& chosen,
+                              const Environment& environment, Progress& progress) {
+    const auto light = reference_light(environment, chosen.surfaces, progress);
+    if (!light) return light.error();
+    std::vector<Vec3> found, exact;
+    for (size_t i = 0; i < chosen.indices.size(); ++i) {
+        const float* const rgb = &picture.rgb[3 * size_t(chosen.indices[i])];
+        found.emplace_back(rgb[0], rgb[1], rgb[2]);
+        exact.push_back((*light)[i].seen_on(chosen.surfaces[i]));
     }
-
-    // When `integrals` of all probes are there.
-    Vec3d radiance(const Environment& environment, const std::vector<Vec3>& integrals) const {
-        const bool is_diffuse = surface_.response.diffuse_albedo != Vec3d(0);
-        const Vec3 specular = surface_.alpha > 0
-                                  ? integrals[specular_]
-                                  : radiance_towards(environment, mirrored_view(surface_));
-        return image_based_light(Vec3d(specular),
-                                 is_diffuse ? Vec3d(integrals[diffuse_]) : Vec3d(0),
-                                 surface_.response.reflectance, surface_.response.diffuse_albedo);
-    }
-
-private:
-    Surface surface_;
-    size_t specular_ = 0, diffuse_ = 0;  // places in the list of probes
-};
+    return error_figures(found, exact);
+}
 
 }  // namespace
 
-Result<std::vector<ExactPixel>> split_exact(const Scene& scene, const Camera& camera,
-                                            const Environment& environment,
-                                            const Mat3d& panorama_from_cube, int pixels_per_sphere,
-                                            Progress& progress) {
-    const SphereSurfaces surfaces(scene, panorama_from_cube);
-    std::vector<ExactPixel> pixels;
-    std::vector<SplitSurface> split;
-    std::vector<ReferenceProbes::Probe> probes;
-    for (const auto& of_sphere : pixels_of_spheres(scene, camera))
-        for (const SeenPixel& pixel : evenly_chosen(of_sphere, pixels_per_sphere)) {
-            pixels.push_back({pixel.index, pixel.seen.sphere, Vec3(0)});
-            split.emplace_back(surfaces.at(pixel.seen)).ask(probes);
-        }
-    ReferenceProbes reference(environment.height(), probes);
-    const Status added = add_all_rows(reference, int(probes.size()), environment, progress);
-    if (!added) return added.error();
-    const std::vector<Vec3> integrals = reference.finish();
-    for (size_t i = 0; i < pixels.size(); ++i)
-        pixels[i].radiance = Vec3(split[i].radiance(environment, integrals));
-    return pixels;
+Result<SplitExact> split_exact(const Scene& scene, const Camera& camera,
+                               const Environment& environment, const Mat3d& panorama_from_cube,
+                               int checks, Progress& progress) {
+    progress.begin("filtering", 1 + int(scene.spheres.size()));
+    const std::vector<SplitPixels> of_sphere = pixels_of_spheres(scene, camera, panorama_from_cube);
+    const ExactLight light(environment, scene);
+    progress.advance(1);
+    SplitExact result{Image(camera.width, camera.height), {}};
+    for (const SplitPixels& pixels : of_sphere) {
+        if (progress.cancelled())
+            return Error{ErrorKind::interrupted, "interrupted while filtering"};
+        draw(pixels, light, result.radiance);
+        progress.advance(1);
+    }
+    const auto checked =
+        compared(result.radiance, evenly_chosen(of_sphere, checks), environment, progress);
+    if (!checked) return checked.error();
+    result.checked = *checked;
+    return result;
 }
 
 }  // namespace splitsum
