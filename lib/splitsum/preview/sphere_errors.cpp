@@ -23,9 +23,9 @@ double ratio(double part, double whole) {
 class NoisySums {
 public:
     void add(const Vec3d& value, const TruthPicture& truth, size_t pixel) {
-        const Vec3d error = pixel_of(truth.standard_error, pixel);
+        const Vec3d error(truth.standard_error[pixel]);
         if (std::isinf(error.x)) return;
-        const Vec3d t = pixel_of(truth.radiance, pixel);
+        const Vec3d t(truth.mean[pixel]);
         difference2_ += dot(value - t, value - t);
         truth2_ += dot(t, t);
         variance_ += dot(error, error);

@@ -16,11 +16,6 @@ namespace {
 
 constexpr uint32_t first_points = 16;  // of each replicate
 
-void set_pixel(Image& image, size_t pixel, const Vec3d& value) {
-    for (int channel = 0; channel < 3; ++channel)
-        image.rgb[3 * pixel + size_t(channel)] = float(value[channel]);
-}
-
 // Says when to stop, and remembers why.
 class StopWatch {
 public:
@@ -150,18 +145,21 @@ TruthPicture TruthRendering::run(int width, int height) {
 
 TruthPicture TruthRendering::so_far(int width, int height) const {
     const size_t count = size_t(width) * size_t(height);
-    TruthPicture picture{Image(width, height), Image(width, height),
-                         std::vector<int>(count, TruthPicture::background),
-                         std::vector<int64_t>(count)};
+    TruthPicture picture{.width = width,
+                         .height = height,
+                         .sphere_at = std::vector<int>(count, TruthPicture::background),
+                         .mean = std::vector<Vec3>(count, Vec3(0)),
+                         .standard_error = std::vector<Vec3>(count, Vec3(0)),
+                         .samples = std::vector<int64_t>(count)};
     for (const TruthPixel& pixel : work_.pixels) {
         const size_t i = size_t(pixel.index);
         picture.sphere_at[i] = pixel.seen.sphere;
         if (pixel.is_missing()) {
-            set_pixel(picture.standard_error, i, Vec3d(std::numeric_limits<double>::infinity()));
+            picture.standard_error[i] = Vec3(std::numeric_limits<float>::infinity());
             continue;
         }
-        set_pixel(picture.radiance, i, pixel.mean());
-        set_pixel(picture.standard_error, i, sqrt(pixel.sampled.variance_of_mean()));
+        picture.mean[i] = Vec3(pixel.mean());
+        picture.standard_error[i] = Vec3(sqrt(pixel.sampled.variance_of_mean()));
         picture.samples[i] =
             int64_t(pixel.sampled.points()) * ReplicatedMean::replicates * pixel.densities;
         picture.total_samples += picture.samples[i];

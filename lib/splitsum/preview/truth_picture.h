@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "splitsum/base/progress.h"
-#include "splitsum/image/image.h"
 #include "splitsum/math/vec.h"
 #include "splitsum/preview/camera.h"
 #include "splitsum/preview/scene.h"
@@ -27,13 +26,16 @@ enum class TruthEnd {
     out_of_points,  ///< every pixel has as many points as there may be: the noise asked for is tiny
 };
 
-/// Spheres under the panorama itself, integrated without splitting anything.
+/// Spheres under the panorama itself, integrated without splitting anything. All lists have a value
+/// a pixel, row 0 on top.
 struct TruthPicture {
-    Image radiance;  ///< scene-linear; 0 where no sphere is, and where nothing was drawn yet
-    Image
-        standard_error;  ///< of radiance; 0 where it is exact, infinite where nothing was drawn yet
-    std::vector<int> sphere_at;    ///< each pixel's: an index into the scene, or background
-    std::vector<int64_t> samples;  ///< directions drawn for each pixel; 0 where it is exact
+    int width = 0;
+    int height = 0;
+    std::vector<int> sphere_at;  ///< index into the scene, or background
+    std::vector<Vec3> mean;      ///< radiance; 0 in the background and where nothing was drawn yet
+    std::vector<Vec3>
+        standard_error;  ///< of mean; 0 where it is exact, infinite where nothing was drawn yet
+    std::vector<int64_t> samples;  ///< directions drawn; 0 where it is exact
 
     /// The mean over sampled pixels of s / max(Y, 1 % of the mean Y of all spheres' pixels), with Y the
     /// luminance and s its standard error; 0 where nothing needed samples. Infinite as long as a
