@@ -14,7 +14,7 @@ namespace splitsum {
 namespace {
 
 constexpr int tile_size = 8;
-constexpr uint32_t most_points = 1u << 22;
+constexpr uint32_t most_points = 1u << 18;  // a doubling must not keep anybody waiting
 const Vec3d luminance_weights(luminance({1, 0, 0}), luminance({0, 1, 0}), luminance({0, 0, 1}));
 
 // Doubling the points divides noise by this at least: evenly spread points do better.
