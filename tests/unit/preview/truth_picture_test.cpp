@@ -88,6 +88,33 @@ TEST(TruthPicture, StatesItsStandardErrorHonestly) {
     EXPECT_NEAR(actual / stated, 1, 0.35);
 }
 
+// Where all channels are alike, luminance is any of them, and so is its standard error.
+TEST(TruthPicture, StatesTheMeanOfRelativeErrors) {
+    const Environment sky = tests::environment_of(
+        32, [](const Vec3d& d) { return Vec3(d.x > 0.6 ? 20.0f + float(d.z) : 0.001f); });
+    Scene scene = small_scene();
+    for (Sphere& sphere : scene.spheres) sphere.material.base_color = Vec3d(0.5);
+    const Camera camera = camera_for(scene, {.width = 48, .height = 24});
+    NoProgress progress;
+    const TruthPicture picture =
+        truth_picture(scene, camera, sky, panorama_from_cube({}), {.noise = 0.02}, progress);
+    double luminance = 0, pixels = 0, noise = 0, sampled = 0;
+    for (size_t i = 0; i < picture.mean.size(); ++i)
+        if (picture.sphere_at[i] != TruthPicture::background)
+            luminance += double(picture.mean[i].y), ++pixels;
+    int dark = 0;
+    for (size_t i = 0; i < picture.mean.size(); ++i)
+        if (picture.samples[i] > 0) {
+            const double least = 0.01 * luminance / pixels;
+            dark += double(picture.mean[i].y) < least;
+            noise +=
+                double(picture.standard_error[i].y) / std::max(double(picture.mean[i].y), least);
+            ++sampled;
+        }
+    EXPECT_GT(dark, 0);
+    EXPECT_NEAR(picture.noise / (noise / sampled), 1, 1e-4);
+}
+
 TEST(TruthPicture, KnowsWhatIsExact) {
     const Environment sky = tests::studio_sky(64);
     const TruthPicture picture = draw(sky, {.noise = 0.05});
@@ -112,8 +139,7 @@ TEST(TruthPicture, IsDoneAtOnceUnderUniformLight) {
     EXPECT_EQ(picture.total_samples, 0);
     EXPECT_EQ(picture.end, TruthEnd::noise_reached);
     EXPECT_EQ(progress.done(), progress.steps());
-    for (size_t i = 0; i < picture.mean.size(); ++i)
-        EXPECT_LE(picture.mean[i].x, 0.5f + 1e-6f);
+    for (size_t i = 0; i < picture.mean.size(); ++i) EXPECT_LE(picture.mean[i].x, 0.5f + 1e-6f);
 }
 
 TEST(TruthPicture, DoesNotDependOnThreads) {
