@@ -7,7 +7,6 @@ namespace {
 
 using Color = std::array<uint8_t, 3>;
 
-// Red, green and blue in an order that no other pixel has.
 constexpr Color background = {30, 31, 34};
 
 /// One row of pixels of these radiances; none where one is below 0.
