@@ -19,9 +19,10 @@ struct SplitExact {
 };
 
 /// The split sum with nothing stored: at every pixel prefiltered light towards the mirror direction at
-/// the sphere's own roughness, the exact split sum of the view, and irradiance. Light is filtered as
-/// `auto` does with an accuracy of 1e-5 (filter/methods.h), at the directions themselves instead of
-/// texels; `checks` pixels of each sphere, evenly spread, are compared with `reference`.
+/// the sphere's own roughness, the exact split sum of the view, and irradiance. Light is filtered by
+/// `spectral` with an accuracy of 1e-5 (filter/methods.h), at the directions themselves instead of
+/// texels. How exact that is, is measured: `checks` pixels of each sphere, evenly spread, are compared
+/// with `reference`.
 ///
 /// Prefiltered light of a perfect mirror is the radiance of the panorama's texel in that direction,
 /// the limit of narrow lobes. The level 0 of a chain holds means over the cube's texels instead, and

@@ -4,6 +4,7 @@
 
 #include "splitsum/base/parallel.h"
 #include "splitsum/filter/filter_cubemap.h"
+#include "splitsum/filter/spectral.h"
 #include "splitsum/preview/baked_light.h"
 #include "splitsum/table/split_sum_exact.h"
 
@@ -16,8 +17,8 @@ inline BakedLight baked(const Environment& environment, const Mat3d& panorama_fr
     NoProgress progress;
     std::vector<Lobe> lobes = {{LobeKind::cosine}};
     for (const double r : roughness_of_levels({}, levels))
-        lobes.push_back({LobeKind::ggx, std::max(r * r, 1e-3)});  // nearly a mirror
-    const auto filter = filter_methods().front().prepare(FilterSource(environment), lobes, {});
+        lobes.push_back({LobeKind::ggx, std::max(r * r, 0.01)});  // nearly a mirror
+    const auto filter = prepare_spectral(FilterSource(environment), lobes, {});
     const auto cubemap = [&](size_t lobe, int size) {
         return filter_cubemap(*filter, lobe, size, panorama_from_cube, 0, progress)->cubemap;
     };
