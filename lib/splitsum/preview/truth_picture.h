@@ -38,8 +38,8 @@ struct TruthPicture {
     std::vector<int64_t> samples;  ///< directions drawn; 0 where it is exact
 
     /// The mean over sampled pixels of s / max(Y, 1 % of the mean Y of all spheres' pixels), with Y the
-    /// luminance and s its standard error; 0 where nothing needed samples. Infinite as long as a
-    /// pixel is missing.
+    /// luminance and s its standard error (its root taken without bias); 0 where nothing needed
+    /// samples. Infinite as long as a pixel is missing.
     double noise = 0;
     int passes = 0;
     int64_t total_samples = 0;
