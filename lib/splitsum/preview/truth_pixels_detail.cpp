@@ -1,8 +1,8 @@
 #include "splitsum/preview/truth_pixels_detail.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <tuple>

@@ -10,8 +10,8 @@
 
 namespace splitsum::tests {
 
-/// Environment light as a bake would store it in floats, with `levels` levels of `face_size` texels, each half
-/// as large as the one before, and an exact table of 32² texels.
+/// Environment light as a bake would store it in floats, with `levels` levels of `face_size`
+/// texels, each half as large as the one before, and an exact table of 32² texels.
 inline BakedLight baked(const Environment& environment, const Mat3d& panorama_from_cube,
                         int face_size, int levels) {
     NoProgress progress;

@@ -88,8 +88,8 @@ TEST(TruthPicture, StatesItsStandardErrorHonestly) {
     EXPECT_NEAR(actual / stated, 1, 0.35);
 }
 
-// Where all channels are alike, luminance is any of them, and so is its standard error; the root of a
-// variance of 8 values is 0.965 of what it should be.
+// Where all channels are alike, luminance is any of them, and so is its standard error; the root of
+// a variance of 8 values is 0.965 of what it should be.
 TEST(TruthPicture, StatesTheMeanOfRelativeErrors) {
     const Environment sky = tests::environment_of(
         32, [](const Vec3d& d) { return Vec3(d.x > 0.6 ? 20.0f + float(d.z) : 0.001f); });
