@@ -90,7 +90,7 @@ TablePlan plan_of_kind(std::string_view name) {
 
 }  // namespace
 
-ReadingOptions::ReadingOptions(CLI::App& app, const std::string& fallback) {
+ReadingOptions::ReadingOptions(CLI::App& app, const std::string& fallback, Exposure exposure) {
     app.add_option("--colorspace", plan_.color_space,
                    "colour space of the file (default: what the file says, else scene-linear "
                    "Rec.709)")
@@ -104,8 +104,9 @@ ReadingOptions::ReadingOptions(CLI::App& app, const std::string& fallback) {
                    "layer of an EXR file (default: the one without a name, else the only one)")
         ->option_text("NAME")
         ->check(not_empty());
-    exposure_ = add_number(app, "--exposure", plan_.exposure_stops, 64, "STOPS",
-                           "multiply radiance by 2^STOPS, -64 to 64", fallback);
+    if (exposure == Exposure::option)
+        exposure_ = add_number(app, "--exposure", plan_.exposure_stops, 64, "STOPS",
+                               "multiply radiance by 2^STOPS, -64 to 64", fallback);
     app.add_flag(
         "--repair", plan_.repair,
         "replace NaN and Inf by their neighbours' mean and negative values by 0, and count "

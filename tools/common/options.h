@@ -23,16 +23,20 @@ namespace splitsum::tools {
 /// How panoramas are read: --colorspace, --ocio-config, --layer, --exposure, --repair. `fallback` is what
 /// --help names as the default of --exposure where that is not 0.
 struct ReadingOptions {
-    explicit ReadingOptions(CLI::App& app, const std::string& fallback = "");
+    /// Whether there is an --exposure of panoramas, or it is left to the tool.
+    enum class Exposure { option, none };
+
+    explicit ReadingOptions(CLI::App& app, const std::string& fallback = "",
+                            Exposure exposure = Exposure::option);
     ReadingOptions(const ReadingOptions&) = delete;
 
     PanoramaOptions plan() const;
-    bool exposure_given() const { return exposure_->count() > 0; }
+    bool exposure_given() const { return exposure_ && exposure_->count() > 0; }
 
 private:
     PanoramaOptions plan_;
     std::string ocio_config_;  // the option, else $OCIO, else ""
-    CLI::Option* exposure_;
+    CLI::Option* exposure_ = nullptr;
 };
 
 /// PANORAMA, one or several, and how they are read.

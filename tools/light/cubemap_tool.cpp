@@ -101,4 +101,15 @@ Result<std::vector<LevelCheck>> check_cubemap_asset(const std::vector<Cubemap>& 
     return check_asset(levels, facts, *exact);
 }
 
+Result<std::vector<ReconstructionError>> check_readings(const std::vector<Cubemap>& levels,
+                                                        const AssetFacts& facts,
+                                                        const Environment& environment, int probes,
+                                                        Progress& progress) {
+    if (facts.kind != AssetFacts::Kind::specular) return std::vector<ReconstructionError>{};
+    const auto exact = reconstruction_probes(environment, panorama_from_cube(facts.orientation),
+                                             roughness_bands(), probes, progress);
+    if (!exact) return exact.error();
+    return reconstruction_error(levels, facts.curve, *exact);
+}
+
 }  // namespace splitsum::tools

@@ -18,6 +18,7 @@
 #include "splitsum/panorama/panorama.h"
 #include "splitsum/sphere/environment.h"
 #include "splitsum/verify/check_levels.h"
+#include "splitsum/verify/reconstruction.h"
 
 // What the tools that turn a panorama into one cubemap have in common.
 
@@ -62,5 +63,12 @@ Result<std::vector<LevelCheck>> check_cubemap_asset(const std::vector<Cubemap>& 
                                                     const AssetFacts& facts,
                                                     const Environment& environment, int probes,
                                                     Progress& progress);
+
+/// What an engine reads between texels and levels of a chain, against exact integration at `probes`
+/// places in each of roughness_bands(); nothing of other assets. Fails only when cancelled.
+Result<std::vector<ReconstructionError>> check_readings(const std::vector<Cubemap>& levels,
+                                                        const AssetFacts& facts,
+                                                        const Environment& environment, int probes,
+                                                        Progress& progress);
 
 }  // namespace splitsum::tools

@@ -6,6 +6,7 @@
 
 #include "asset_file.h"
 #include "certificate_check.h"
+#include "light/asset_source.h"
 #include "light/cubemap_tool.h"
 #include "limits.h"
 #include "splitsum/bake/facts.h"
@@ -63,35 +64,16 @@ bool overruled(const CompareOptions& options) {
            !options.kind.empty() || !options.roughness.empty();
 }
 
-// What an engine reads between texels and levels of a chain; nothing of other assets.
-Result<std::vector<ReconstructionError>> between_levels(const AssetFile& file,
-                                                        const AssetFacts& facts,
-                                                        const Environment& environment, int probes,
-                                                        Progress& progress) {
-    if (facts.kind != AssetFacts::Kind::specular) return std::vector<ReconstructionError>{};
-    const auto exact = reconstruction_probes(environment, panorama_from_cube(facts.orientation),
-                                             roughness_bands(), probes, progress);
-    if (!exact) return exact.error();
-    return reconstruction_error(file.levels, facts.curve, *exact);
-}
-
 Result<Comparison> against_panorama(const AssetFile& file, const CompareOptions& options,
                                     Progress& progress) {
     const auto facts = facts_with_options(file, options);
     if (!facts) return facts.error();
-    PanoramaOptions reading = options.reading.plan();
-    if (!options.reading.exposure_given()) reading.exposure_stops = facts->source.exposure_stops;
-    const auto panorama = read_panorama(options.panorama, reading, progress);
-    if (!panorama) return panorama.error();
-    const Environment environment(panorama->pixels);
+    const auto source = read_asset_source(options.panorama, file.facts, options.reading, progress);
+    if (!source) return source.error();
+    const Environment environment(source->panorama.pixels);
 
     Comparison comparison;
-    comparison.notes = panorama->notes;
-    const bool is_source = file.facts && facts->source.hash == panorama->source_hash;
-    if (file.facts && !is_source)
-        comparison.notes.push_back(cat("the asset says it was made from ", facts->source.name, ", ",
-                                       facts->source.hash, "; this panorama is ",
-                                       panorama->source_hash));
+    comparison.notes = source->notes;
     if (file.harmonics) {
         const auto check = check_harmonics(
             *file.harmonics, {environment, panorama_from_cube(facts->orientation), options.probes},
@@ -103,10 +85,10 @@ Result<Comparison> against_panorama(const AssetFile& file, const CompareOptions&
     auto levels = check_cubemap_asset(file.levels, *facts, environment, options.probes, progress);
     if (!levels) return levels.error();
     comparison.levels = std::move(*levels);
-    auto between = between_levels(file, *facts, environment, options.probes, progress);
+    auto between = check_readings(file.levels, *facts, environment, options.probes, progress);
     if (!between) return between.error();
     comparison.between = std::move(*between);
-    const bool as_made = is_source && !overruled(options);
+    const bool as_made = source->is_source && !overruled(options);
     auto certificate = check_certificate(file, *facts, as_made ? &environment : nullptr, progress);
     if (!certificate) return certificate.error();
     comparison.certificate = std::move(*certificate);

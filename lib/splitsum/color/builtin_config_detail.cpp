@@ -3,6 +3,7 @@
 #include <array>
 #include <initializer_list>
 
+#include "splitsum/base/text.h"
 #include "splitsum/color/color_space.h"
 
 namespace splitsum {
@@ -93,6 +94,18 @@ ocio::ConstConfigRcPtr make_builtin_config() {
     config->setRole(ocio::ROLE_SCENE_LINEAR, working_space);
     config->setRole(ocio::ROLE_INTERCHANGE_SCENE, "ACES2065-1");
     return config;
+}
+
+Result<ocio::ConstConfigRcPtr> load_config(const std::filesystem::path& file) {
+    try {
+        if (file.empty()) return make_builtin_config();
+        const auto config = ocio::Config::CreateFromFile(file.c_str());
+        config->validate();
+        return config;
+    } catch (const std::exception& thrown) {
+        return Error{ErrorKind::unreadable_input,
+                     cat("cannot use the OpenColorIO config ", file.string(), ": ", thrown.what())};
+    }
 }
 
 }  // namespace splitsum

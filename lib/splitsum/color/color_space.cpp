@@ -27,18 +27,6 @@ const char* space_of_role(const ocio::ConstConfigRcPtr& config, const char* role
     return space ? space->getName() : nullptr;
 }
 
-Result<ocio::ConstConfigRcPtr> load_config(const fs::path& file) {
-    try {
-        if (file.empty()) return make_builtin_config();
-        const auto config = ocio::Config::CreateFromFile(file.c_str());
-        config->validate();
-        return config;
-    } catch (const std::exception& thrown) {
-        return Error{ErrorKind::unreadable_input,
-                     cat("cannot use the OpenColorIO config ", file.string(), ": ", thrown.what())};
-    }
-}
-
 }  // namespace
 
 struct ColorConverter::State {

@@ -9,6 +9,7 @@
 
 #include "splitsum/base/parallel.h"
 #include "splitsum/color/display.h"
+#include "splitsum/picture/exposure.h"
 #include "splitsum/png/write_png.h"
 #include "splitsum/sphere/cubemap_lookup.h"
 
@@ -19,9 +20,6 @@ constexpr int picture_width = 1600;
 constexpr int gap = 24;
 constexpr int bar_height = 6;
 constexpr int largest_cell = 520;
-
-// The display transform shows mid grey, 0.18, at a tenth of white: darker than people like pictures.
-constexpr double shown_mean = 0.25;
 
 constexpr std::array<uint8_t, 3> background = {30, 31, 34};
 constexpr std::array<uint8_t, 3> bar_track = {52, 54, 59};
@@ -193,33 +191,11 @@ void draw_bar(std::span<uint8_t> picture, const Layout& layout, int index, doubl
         }
 }
 
-// Rec.709 luminance (ITU-R BT.709-6, 3.2).
-double luminance(const Vec3d& rgb) { return dot(rgb, Vec3d(0.2126, 0.7152, 0.0722)); }
-
-/// exp of the mean of log luminance over the sphere; darkness counts as `darkest`.
-double logarithmic_mean(const Cubemap& cubemap, double darkest) {
-    const int size = cubemap.face_size;
-    const double sum = ordered_sum(size, [&](int y) {
-        double row = 0;
-        for (int x = 0; x < size; ++x) {
-            const double weight = solid_angle_of_texel(x, y, size);
-            for (int face = 0; face < face_count; ++face)
-                row += weight * std::log(std::max(luminance(cubemap.at(face, x, y)), darkest));
-        }
-        return row;
-    });
-    return std::exp(sum / (4 * std::numbers::pi));
-}
-
 }  // namespace
 
 double exposure_stops_of(const ContactSheet& sheet) {
     const std::vector<Cell> cells = cells_of(sheet);
-    if (cells.empty()) return 0;
-    const double mean = luminance(mean_radiance(*cells.front().cubemap));
-    if (!(mean > 0)) return 0;
-    const double log_mean = logarithmic_mean(*cells.front().cubemap, 1e-4 * mean);
-    return std::log2(shown_mean / std::sqrt(mean * log_mean));
+    return cells.empty() ? 0 : exposure_stops_of(*cells.front().cubemap);
 }
 
 Status write_contact_sheet(const ContactSheet& sheet, const std::filesystem::path& png) {

@@ -18,9 +18,7 @@ struct ContactSheet {
     const Cubemap* irradiance = nullptr;  ///< E / pi by normal; may be absent
 };
 
-/// The exposure in stops at which `sheet` is shown: it brings the geometric mean of the first
-/// cubemap's mean luminance and its logarithmic mean luminance (Reinhard et al. 2002, eq. 1) to
-/// 0.25, so that neither a sun nor darkness decides alone. 0 for a black cubemap.
+/// The exposure in stops at which `sheet` is shown: that of its first cubemap (exposure.h).
 double exposure_stops_of(const ContactSheet& sheet);
 
 /// Writes a picture to look at, 1600 pixels wide: for each level, and last for the irradiance, a
