@@ -1,0 +1,97 @@
+// Spheres under baked light, shaded by the library of shaders/include as an engine would; one level, the
+// irradiance or the table alone; and the truth beside them.
+#include "splitsum_levels.glsl"
+#include "splitsum_sampling.glsl"
+#include "splitsum_split_sum.glsl"
+#include "splitsum_surface.glsl"
+#include "camera.glsl"
+#include "view.glsl"
+
+out vec4 pixel;
+
+uniform SPLITSUM_CUBE specular_levels;
+uniform SPLITSUM_CUBE irradiance;
+uniform SPLITSUM_TABLE split_sum_table;
+uniform SPLITSUM_TABLE truth;
+
+const int CURVE_LINEAR = 0;
+const int CURVE_FILAMENT = 1;
+uniform int curve;             // any other is the list
+uniform float last_level;      // number of levels less one
+uniform vec4 roughness_list[4];
+
+// What is on a sphere, and what is behind them. From 0 on: that level of the specular chain, which may
+// lie between two.
+const float SHADED = -1.0;
+const float IRRADIANCE = -2.0;
+const float BLACK = -3.0;
+const float TABLE = -4.0;
+uniform float on_spheres;
+uniform float behind;
+
+uniform float exposure;        // a factor
+uniform int samples_per_axis;  // of a pixel, evenly; 1: its centre
+uniform float truth_from;      // from this pixel column on the truth is shown
+
+float level_of(float perceptual_roughness) {
+    if (curve == CURVE_LINEAR) return splitsum_level_linear(perceptual_roughness, last_level);
+    if (curve == CURVE_FILAMENT) return splitsum_level_filament(perceptual_roughness, last_level);
+    return splitsum_level_of_list(perceptual_roughness, roughness_list, int(last_level) + 1);
+}
+
+vec3 shaded(Seen seen, vec3 mirrored) {
+    vec4 colour = texelFetch(spheres, ivec2(1, seen.sphere), 0);
+    float perceptual_roughness = texelFetch(spheres, ivec2(2, seen.sphere), 0).r;
+    vec3 f0 = splitsum_f0(colour.rgb, colour.a);
+    vec2 coordinates = splitsum_table_coordinates(dot(seen.normal, seen.view), perceptual_roughness);
+    vec3 reflectance = splitsum_reflectance(f0, splitsum_read_table(split_sum_table, coordinates).rg);
+    vec3 albedo = splitsum_diffuse_albedo(colour.rgb, colour.a, reflectance);
+    return splitsum_image_based_light(
+        splitsum_specular_light(specular_levels, mirrored, level_of(perceptual_roughness)),
+        splitsum_irradiance_over_pi(irradiance, seen.normal), reflectance, albedo);
+}
+
+// Light that is shown as it is stored.
+vec3 stored_light(float which, vec3 normal, vec3 mirrored) {
+    if (which == BLACK) return vec3(0.0);
+    if (which == IRRADIANCE) return splitsum_irradiance_over_pi(irradiance, normal);
+    return splitsum_specular_light(specular_levels, mirrored, which);
+}
+
+// Its rows count from the top.
+vec3 truth_at(vec2 place) {
+    vec2 from_top = vec2(place.x, picture_size.y - place.y) / picture_size;
+    return textureLod(truth, from_top, 0.0).rgb;
+}
+
+vec3 light_at(vec2 place) {
+    vec3 ray = ray_through(place);
+    Seen seen = first_surface(ray);
+    vec3 ahead = cube_from_view * ray;
+    if (seen.sphere < 0) return stored_light(behind, ahead, ahead);
+    if (place.x >= truth_from) return truth_at(place);
+    vec3 mirrored = reflect(-seen.view, seen.normal);
+    return on_spheres == SHADED ? shaded(seen, mirrored)
+                                : stored_light(on_spheres, seen.normal, mirrored);
+}
+
+// The table as a square in the middle: n·v to the right, perceptual roughness upwards.
+vec3 table_at(vec2 place) {
+    float side = min(picture_size.x, picture_size.y);
+    vec2 coordinates = (place - 0.5 * (picture_size - side)) / side;
+    if (any(notEqual(coordinates, clamp(coordinates, 0.0, 1.0)))) return vec3(0.0);
+    return srgb(vec3(splitsum_read_table(split_sum_table, coordinates).rg, 0.0));
+}
+
+vec3 colour_at(vec2 place) {
+    return on_spheres == TABLE ? table_at(place) : shown(exposure * light_at(place));
+}
+
+void main() {
+    vec2 corner = floor(gl_FragCoord.xy);
+    vec3 sum = vec3(0.0);
+    for (int y = 0; y < samples_per_axis; ++y)
+        for (int x = 0; x < samples_per_axis; ++x)
+            sum += colour_at(corner + (vec2(x, y) + 0.5) / float(samples_per_axis));
+    pixel = vec4(sum / float(samples_per_axis * samples_per_axis), 1.0);
+}

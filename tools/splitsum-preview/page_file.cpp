@@ -1,0 +1,78 @@
+#include "page_file.h"
+
+#include <iomanip>
+#include <sstream>
+
+#include "splitsum/base/text.h"
+
+namespace splitsum::tools {
+namespace {
+
+std::string short_number(double value) {
+    std::ostringstream text;
+    text << std::setprecision(2) << value;
+    return text.str();
+}
+
+std::vector<std::string> level_row(int level, double perceptual_roughness,
+                                   const ErrorFigures& figures) {
+    std::vector<std::string> row = {cat("level ", level), short_number(perceptual_roughness)};
+    for (const double value : {figures.rel_rms, figures.max_rel, figures.bias})
+        row.push_back(figures.texels > 0 ? short_number(value) : "not measured");
+    row.push_back(cat(figures.texels));
+    return row;
+}
+
+PageTable level_table(const BakedAssets& baked, const PreviewResults& results) {
+    PageTable table{"Error of the levels",
+                    "Stored texels against exact integration of the panorama. rel_rms: the root of "
+                    "the squared error over the squared light, 1e-3 is a tenth of a percent; bias: "
+                    "light gained or lost.",
+                    {"", "roughness", "rel_rms", "max_rel", "bias", "texels measured"},
+                    {}};
+    const std::vector<double>& values = baked.facts.perceptual_roughness;
+    if (!results.chain.levels.empty())
+        for (const LevelCheck& level : results.chain.levels)
+            table.rows.push_back(
+                level_row(level.level, values[size_t(level.level)], level.figures));
+    else if (baked.certificate)
+        for (size_t level = 0; level < baked.certificate->levels.size(); ++level)
+            table.rows.push_back(level_row(int(level), values[level],
+                                           baked.certificate->levels[level].figures));
+    return table;
+}
+
+PageTable reading_table(const PreviewResults& results) {
+    PageTable table{"Between texels and levels",
+                    "What an engine reads nearly everywhere: linear filters in the two levels around "
+                    "a roughness, against exact integration there.",
+                    {"roughness", "rel_rms", "max_rel", "bias"},
+                    {}};
+    for (const ReconstructionError& band : results.chain.between)
+        table.rows.push_back({cat(band.range.from, " to ", band.range.to),
+                              short_number(band.figures.rel_rms), short_number(band.figures.max_rel),
+                              short_number(band.figures.bias)});
+    return table;
+}
+
+}  // namespace
+
+PageOption::PageOption(CLI::App& app) {
+    app.add_option("--html", file,
+                   "also write a page that shows the light in a browser: turn it, choose materials, "
+                   "levels and views")
+        ->option_text("FILE")
+        ->check(not_empty());
+}
+
+Page page_of(const BakedAssets& baked, const PreviewResults& results) {
+    Page page;
+    page.title = baked.facts.source.name.empty() ? "Baked light" : baked.facts.source.name;
+    page.light = &baked.light;
+    page.notes = results.notes;
+    for (PageTable& table : std::array{level_table(baked, results), reading_table(results)})
+        if (!table.rows.empty()) page.tables.push_back(std::move(table));
+    return page;
+}
+
+}  // namespace splitsum::tools
