@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
     app.footer(
         "Examples: splitsum-preview baked/sunset -o sunset.png\n"
         "          splitsum-preview baked/sunset -o sunset.exr --scene spheres.json --yaw 90\n"
-        "          splitsum-preview baked/sunset -o sunset.png --panorama sunset.exr --json\n"
+        "          splitsum-preview baked/sunset -o sunset.png --panorama sunset.exr --truth\n"
         "A file of objects:\n"
         "  {\"spheres\": [{\"name\": \"brass\", \"centre\": [0, 0, 0], \"radius\": 0.45,\n"
         "                \"base_color\": [0.9, 0.8, 0.4], \"metalness\": 1, "

@@ -127,20 +127,45 @@ std::optional<double> ViewOptions::exposure_stops() const {
     return std::stod(exposure_);
 }
 
-PreviewOptions::PreviewOptions(CLI::App& app)
-    : assets(app),
-      output(app, "FILE", "the picture: .png, or .exr for scene-linear light"),
-      scene(app),
-      view(app),
-      reading(app, "", ReadingOptions::Exposure::none),
-      json(app) {
-    add_file(app, "--panorama", panorama,
-             "the panorama that was baked: measures the assets against it");
+TruthOptions::TruthOptions(CLI::App& app) {
+    auto* file = app.add_option("--panorama", panorama,
+                                "the panorama that was baked: what the assets are measured against")
+                     ->option_text("FILE")
+                     ->check(not_empty());
+    auto* drawn =
+        app.add_flag("--truth", truth,
+                     "draw the same by exact integration too, without splitting anything, "
+                     "and the\ndifference: white where there is none, red where baked "
+                     "light is brighter, blue\nwhere it is darker, fully so at 25 %")
+            ->needs(file);
     app.add_option(
-           "--probes", probes,
-           cat("with --panorama, texels per level that are measured (default ", probes, ")"))
+           "--noise", plan_.noise,
+           cat("with --truth, the mean relative standard error to reach, 1e-4 to 1 (default ",
+               plan_.noise, ")"))
+        ->option_text("SHARE")
+        ->check(finite_number(1e-4, 1))
+        ->needs(drawn);
+    app.add_option("--time-limit", plan_.seconds,
+                   "with --truth, draw for no longer than this, whatever the noise; then the "
+                   "picture depends\non the machine, 0 to 1e6 (default 0: no limit)")
+        ->option_text("SECONDS")
+        ->check(finite_number(0, 1e6))
+        ->needs(drawn);
+    app.add_flag("--verify,!--no-verify", verify_,
+                 "with --panorama, measure the assets (the default), or do not");
+    app.add_option("--probes", probes_,
+                   cat("texels per level that are measured (default ", probes_, ")"))
         ->option_text("COUNT")
         ->check(whole_number(1, 1 << 24));
 }
+
+PreviewOptions::PreviewOptions(CLI::App& app)
+    : assets(app),
+      output(app, "FILE", "the picture: .png, or .exr for scene-linear light"),
+      truth(app),
+      scene(app),
+      view(app),
+      reading(app, "", ReadingOptions::Exposure::none),
+      json(app) {}
 
 }  // namespace splitsum::tools

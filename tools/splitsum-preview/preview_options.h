@@ -12,6 +12,7 @@
 #include "splitsum/preview/camera.h"
 #include "splitsum/preview/picture.h"
 #include "splitsum/preview/scene.h"
+#include "splitsum/preview/truth_picture.h"
 
 namespace splitsum::tools {
 
@@ -43,6 +44,23 @@ private:
     bool background_ = true;
 };
 
+/// --panorama, --truth, --noise, --time-limit, --verify, --no-verify, --probes.
+struct TruthOptions {
+    explicit TruthOptions(CLI::App& app);
+    TruthOptions(const TruthOptions&) = delete;
+
+    TruthPlan plan() const { return plan_; }
+    int probes() const { return verify_ ? probes_ : 0; }  ///< 0: nothing is measured
+
+    std::string panorama;  ///< "" if there is none
+    bool truth = false;    ///< there is a panorama then
+
+private:
+    TruthPlan plan_;
+    bool verify_ = true;
+    int probes_ = 64;
+};
+
 /// --view, --exposure.
 struct ViewOptions {
     explicit ViewOptions(CLI::App& app);
@@ -63,11 +81,10 @@ struct PreviewOptions {
 
     AssetOptions assets;
     OutputOptions output;
-    std::string panorama;  ///< "" if there is none
+    TruthOptions truth;
     SceneOptions scene;
     ViewOptions view;
     ReadingOptions reading;
-    int probes = 64;
     JsonOption json;
 };
 

@@ -23,6 +23,23 @@ Json sphere_json(const SphereResult& result) {
             {"pixels", result.pixels}};
 }
 
+const char* name_of(TruthEnd end) {
+    switch (end) {
+        case TruthEnd::noise_reached: return "noise_reached";
+        case TruthEnd::out_of_time: return "out_of_time";
+        case TruthEnd::cancelled: return "cancelled";
+        case TruthEnd::out_of_points: return "out_of_points";
+    }
+    return "";
+}
+
+Json truth_json(const TruthResult& truth) {
+    return {{"noise", truth.noise},
+            {"samples", truth.samples},
+            {"passes", truth.passes},
+            {"ended", name_of(truth.end)}};
+}
+
 Json results_json(const PreviewResults& results) {
     Json json = {{"file", results.file.string()},
                  {"pictures", results.pictures},
@@ -32,6 +49,7 @@ Json results_json(const PreviewResults& results) {
     json["spheres"] = Json::array();
     for (const SphereResult& sphere : results.spheres)
         json["spheres"].push_back(sphere_json(sphere));
+    if (results.truth) json["truth"] = truth_json(*results.truth);
     if (results.chain.levels.empty()) return json;
     json["levels"] = Json::array();
     for (const LevelCheck& level : results.chain.levels)
@@ -49,6 +67,10 @@ void print_text(const PreviewResults& results) {
         std::cout << "What an engine reads between texels and levels:\n"
                   << readings_text(results.chain.between);
     }
+    if (results.truth)
+        std::cout << cat("The truth has a mean relative standard error of ", results.truth->noise,
+                         " (", name_of(results.truth->end), ", ", results.truth->samples,
+                         " samples).\n");
     if (results.pictures.size() > 1)
         std::cout << "pictures: " << join(results.pictures, ", ") << "\n";
     std::cout << results.file.string() << "\n";

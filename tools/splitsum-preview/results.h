@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "splitsum/preview/scene.h"
+#include "splitsum/preview/truth_picture.h"
 #include "splitsum/verify/check_levels.h"
 #include "splitsum/verify/reconstruction.h"
 
@@ -22,6 +25,14 @@ struct SphereResult {
     int pixels;  ///< in which it is seen
 };
 
+/// How the truth was found.
+struct TruthResult {
+    double noise;  ///< as TruthPicture::noise
+    int passes;
+    int64_t samples;
+    TruthEnd end;
+};
+
 /// What a run of splitsum-preview comes to.
 struct PreviewResults {
     std::filesystem::path file;
@@ -29,6 +40,7 @@ struct PreviewResults {
     std::string view;
     double exposure_stops;
     std::vector<SphereResult> spheres;
+    std::optional<TruthResult> truth;
     ChainFigures chain;
     std::vector<std::string> notes;
 };

@@ -1,9 +1,13 @@
 #include "run_preview.h"
 
+#include <cmath>
+#include <optional>
+
 #include "light/asset_source.h"
 #include "light/cubemap_tool.h"
 #include "picture_file.h"
 #include "results.h"
+#include "splitsum/base/text.h"
 #include "splitsum/picture/exposure.h"
 
 namespace splitsum::tools {
@@ -33,6 +37,47 @@ Result<Drawing> prepare(const PreviewOptions& options) {
                    Shown{std::move(*view), exposure_stops}};
 }
 
+/// The light that was baked.
+struct SourceLight {
+    Environment environment;
+    std::vector<std::string> notes;
+};
+
+Result<std::optional<SourceLight>> read_source(const PreviewOptions& options,
+                                               const BakedAssets& baked, Progress& progress) {
+    if (options.truth.panorama.empty()) return std::optional<SourceLight>();
+    const auto source =
+        read_asset_source(options.truth.panorama, baked.facts, options.reading, progress);
+    if (!source) return source.error();
+    return std::optional(SourceLight{Environment(source->panorama.pixels), source->notes});
+}
+
+// Cancelled in the truth, that is as far as it got.
+Result<Pictures> draw(const Drawing& drawing, const PreviewOptions& options,
+                      const std::optional<SourceLight>& source, Progress& progress) {
+    const auto& light = drawing.baked.light;
+    const Background background = options.scene.background();
+    auto baked = baked_picture(drawing.scene, drawing.camera, light, background, progress);
+    if (!baked) return baked.error();
+    Pictures pictures{std::move(*baked), std::nullopt, {}, {}};
+    if (!options.truth.truth) return pictures;
+    pictures.truth = truth_picture(drawing.scene, drawing.camera, source->environment,
+                                   panorama_from_cube(drawing.baked.facts.orientation),
+                                   options.truth.plan(), progress);
+    pictures.truth_image =
+        picture_of(*pictures.truth, drawing.scene, drawing.camera, light, background);
+    pictures.standard_error = standard_error_of(*pictures.truth);
+    return pictures;
+}
+
+Error interrupted(const Pictures& pictures, const std::filesystem::path& file) {
+    const bool missing = std::isinf(pictures.truth->noise);
+    return {ErrorKind::interrupted,
+            cat("interrupted; ", file.string(), " has the picture so far, ",
+                missing ? std::string("parts of the truth are missing")
+                        : cat("with a mean relative standard error of ", pictures.truth->noise))};
+}
+
 Result<ChainFigures> measure_chain(const BakedAssets& baked, const Environment& environment,
                                    int probes, Progress& progress) {
     const auto& levels = baked.light.specular;
@@ -53,6 +98,28 @@ std::vector<SphereResult> spheres_in(const Drawing& drawing) {
     return spheres;
 }
 
+Result<PreviewResults> measure(const Drawing& drawing, const PreviewOptions& options,
+                               const std::optional<SourceLight>& source, const Pictures& pictures,
+                               Progress& progress) {
+    PreviewResults results;
+    results.file = options.output.path();
+    results.pictures = picture_names(pictures, results.file);
+    results.view = options.view.name;
+    results.exposure_stops = drawing.shown.exposure_stops;
+    results.notes = drawing.baked.notes;
+    results.spheres = spheres_in(drawing);
+    if (!source) return results;
+    results.notes.insert(results.notes.end(), source->notes.begin(), source->notes.end());
+    if (const auto& truth = pictures.truth)
+        results.truth = {truth->noise, truth->passes, truth->total_samples, truth->end};
+    if (options.truth.probes() == 0) return results;
+    auto chain =
+        measure_chain(drawing.baked, source->environment, options.truth.probes(), progress);
+    if (!chain) return chain.error();
+    results.chain = std::move(*chain);
+    return results;
+}
+
 }  // namespace
 
 Result<ExitCode> run_preview(const PreviewOptions& options, Progress& progress) {
@@ -60,32 +127,17 @@ Result<ExitCode> run_preview(const PreviewOptions& options, Progress& progress) 
     if (const Status possible = check_picture_file(file); !possible) return possible.error();
     const auto drawing = prepare(options);
     if (!drawing) return drawing.error();
-
-    PreviewResults results;
-    results.file = file;
-    results.view = options.view.name;
-    results.exposure_stops = drawing->shown.exposure_stops;
-    results.notes = drawing->baked.notes;
-    results.spheres = spheres_in(*drawing);
-    if (!options.panorama.empty()) {
-        const auto source =
-            read_asset_source(options.panorama, drawing->baked.facts, options.reading, progress);
-        if (!source) return source.error();
-        results.notes.insert(results.notes.end(), source->notes.begin(), source->notes.end());
-        const Environment environment(source->panorama.pixels);
-        auto chain = measure_chain(drawing->baked, environment, options.probes, progress);
-        if (!chain) return chain.error();
-        results.chain = std::move(*chain);
-    }
-    auto picture = baked_picture(drawing->scene, drawing->camera, drawing->baked.light,
-                                 options.scene.background(), progress);
-    if (!picture) return picture.error();
-    std::vector<NamedPicture> pictures;
-    pictures.push_back({"baked", std::move(*picture)});
-    if (const Status written = write_pictures(pictures, drawing->shown, file); !written)
+    const auto source = read_source(options, drawing->baked, progress);
+    if (!source) return source.error();
+    const auto pictures = draw(*drawing, options, *source, progress);
+    if (!pictures) return pictures.error();
+    if (const Status written = write_pictures(*pictures, drawing->shown, file); !written)
         return written.error();
-    for (const NamedPicture& named : pictures) results.pictures.push_back(named.name);
-    print(results, options.json.json);
+    if (pictures->truth && pictures->truth->end == TruthEnd::cancelled)
+        return interrupted(*pictures, file);
+    const auto results = measure(*drawing, options, *source, *pictures, progress);
+    if (!results) return results.error();
+    print(*results, options.json.json);
     return ExitCode::done;
 }
 

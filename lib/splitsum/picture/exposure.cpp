@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "splitsum/base/parallel.h"
+#include "splitsum/image/luminance.h"
 #include "splitsum/math/vec.h"
 
 namespace splitsum {
@@ -12,9 +13,6 @@ namespace {
 
 // The display transform shows mid grey, 0.18, at a tenth of white: darker than people like pictures.
 constexpr double shown_mean = 0.25;
-
-// Rec.709 luminance (ITU-R BT.709-6, 3.2).
-double luminance(const Vec3d& rgb) { return dot(rgb, Vec3d(0.2126, 0.7152, 0.0722)); }
 
 /// exp of the mean of log luminance over the sphere; darkness counts as `darkest`.
 double logarithmic_mean(const Cubemap& cubemap, double darkest) {

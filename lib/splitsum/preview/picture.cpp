@@ -16,6 +16,13 @@ Vec3d behind(const Camera& camera, const BakedLight& light, Background backgroun
     return Vec3d(bilinear_lookup(light.specular.front(), direction));
 }
 
+Image image_of(const std::vector<Vec3>& pixels, const TruthPicture& truth) {
+    Image picture(truth.width, truth.height);
+    for (size_t i = 0; i < pixels.size(); ++i)
+        for (int c = 0; c < 3; ++c) picture.rgb[3 * i + size_t(c)] = pixels[i][c];
+    return picture;
+}
+
 }  // namespace
 
 Result<Image> baked_picture(const Scene& scene, const Camera& camera, const BakedLight& light,
@@ -35,6 +42,15 @@ Result<Image> baked_picture(const Scene& scene, const Camera& camera, const Bake
     fill_background(picture, scene, camera, light, background);
     return picture;
 }
+
+Image picture_of(const TruthPicture& truth, const Scene& scene, const Camera& camera,
+                 const BakedLight& light, Background background) {
+    Image picture = image_of(truth.mean, truth);
+    fill_background(picture, scene, camera, light, background);
+    return picture;
+}
+
+Image standard_error_of(const TruthPicture& truth) { return image_of(truth.standard_error, truth); }
 
 void fill_background(Image& picture, const Scene& scene, const Camera& camera,
                      const BakedLight& light, Background background) {

@@ -6,6 +6,7 @@
 #include "splitsum/preview/baked_light.h"
 #include "splitsum/preview/camera.h"
 #include "splitsum/preview/scene.h"
+#include "splitsum/preview/truth_picture.h"
 
 namespace splitsum {
 
@@ -20,6 +21,11 @@ enum class Background {
 /// row. Fails only when cancelled.
 Result<Image> baked_picture(const Scene& scene, const Camera& camera, const BakedLight& light,
                             Background background, Progress& progress);
+
+/// The truth as a picture: its mean before the same background, and its standard errors before black.
+Image picture_of(const TruthPicture& truth, const Scene& scene, const Camera& camera,
+                 const BakedLight& light, Background background);
+Image standard_error_of(const TruthPicture& truth);
 
 /// Draws the background behind the spheres of a picture of that scene and camera.
 void fill_background(Image& picture, const Scene& scene, const Camera& camera,

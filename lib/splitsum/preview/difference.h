@@ -1,0 +1,23 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "splitsum/image/image.h"
+#include "splitsum/preview/truth_picture.h"
+
+namespace splitsum {
+
+/// How a relative difference is shown: white for none, red where baked light is too bright, blue
+/// where it is too dark, in even steps of encoded sRGB up to full_difference either way.
+std::array<uint8_t, 3> difference_color(double relative);
+
+inline constexpr double full_difference = 0.25;
+
+/// A picture of baked light beside the truth, as bytes of RGB: the difference of luminance, relative
+/// to the truth's, where that is less than 1 % of the spheres' mean to this. Dark grey where no
+/// sphere is. `baked` is of the same size.
+std::vector<uint8_t> difference_picture(const Image& baked, const TruthPicture& truth);
+
+}  // namespace splitsum
