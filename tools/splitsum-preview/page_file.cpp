@@ -1,5 +1,6 @@
 #include "page_file.h"
 
+#include <array>
 #include <iomanip>
 #include <sstream>
 
@@ -37,30 +38,38 @@ PageTable level_table(const BakedAssets& baked, const PreviewResults& results) {
                 level_row(level.level, values[size_t(level.level)], level.figures));
     else if (baked.certificate)
         for (size_t level = 0; level < baked.certificate->levels.size(); ++level)
-            table.rows.push_back(level_row(int(level), values[level],
-                                           baked.certificate->levels[level].figures));
+            table.rows.push_back(
+                level_row(int(level), values[level], baked.certificate->levels[level].figures));
     return table;
 }
 
 PageTable reading_table(const PreviewResults& results) {
-    PageTable table{"Between texels and levels",
-                    "What an engine reads nearly everywhere: linear filters in the two levels around "
-                    "a roughness, against exact integration there.",
-                    {"roughness", "rel_rms", "max_rel", "bias"},
-                    {}};
+    PageTable table{
+        "Between texels and levels",
+        "What an engine reads nearly everywhere: linear filters in the two levels around "
+        "a roughness, against exact integration there.",
+        {"roughness", "rel_rms", "max_rel", "bias"},
+        {}};
     for (const ReconstructionError& band : results.chain.between)
         table.rows.push_back({cat(band.range.from, " to ", band.range.to),
-                              short_number(band.figures.rel_rms), short_number(band.figures.max_rel),
-                              short_number(band.figures.bias)});
+                              short_number(band.figures.rel_rms),
+                              short_number(band.figures.max_rel), short_number(band.figures.bias)});
     return table;
+}
+
+std::string truth_note(const TruthResult& truth) {
+    return cat("The unsplit BRDF, integrated under the panorama itself with ", truth.samples,
+               " directions. The mean relative standard error of a pixel is ",
+               short_number(100 * truth.noise), " %.");
 }
 
 }  // namespace
 
 PageOption::PageOption(CLI::App& app) {
-    app.add_option("--html", file,
-                   "also write a page that shows the light in a browser: turn it, choose materials, "
-                   "levels and views")
+    app.add_option(
+           "--html", file,
+           "also write a page that shows the light in a browser: turn it, choose materials, "
+           "levels and views")
         ->option_text("FILE")
         ->check(not_empty());
 }
@@ -70,6 +79,9 @@ Page page_of(const BakedAssets& baked, const PreviewResults& results) {
     page.title = baked.facts.source.name.empty() ? "Baked light" : baked.facts.source.name;
     page.light = &baked.light;
     page.notes = results.notes;
+    page.no_truth =
+        "There is none in this page: splitsum-preview --panorama FILE --truth computes it.";
+    if (results.truth) page.truth = PageTruth{nullptr, truth_note(*results.truth)};
     for (PageTable& table : std::array{level_table(baked, results), reading_table(results)})
         if (!table.rows.empty()) page.tables.push_back(std::move(table));
     return page;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "common/options.h"
 #include "results.h"
 #include "splitsum/base/result.h"
 #include "splitsum/preview/baked_files.h"

@@ -54,6 +54,7 @@ Json start_json(const Page& page) {
             {"height", page.viewpoint.height},
             {"yaw", page.viewpoint.yaw_degrees},
             {"pitch", page.viewpoint.pitch_degrees},
+            {"background", page.background == Background::light ? "level-0" : "none"},
             {"exposure", page.exposure_stops},
             {"view", page.view}};
 }

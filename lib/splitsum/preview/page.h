@@ -9,6 +9,7 @@
 #include "splitsum/image/image.h"
 #include "splitsum/preview/baked_light.h"
 #include "splitsum/preview/camera.h"
+#include "splitsum/preview/picture.h"
 #include "splitsum/preview/scene.h"
 #include "splitsum/preview/view.h"
 
@@ -34,12 +35,13 @@ struct Page {
     const BakedLight* light = nullptr;
     Scene scene;
     std::string scene_note;  ///< what the spheres are, in a sentence
-    Viewpoint viewpoint;  ///< where it begins; its shape is that of the picture
+    Viewpoint viewpoint;     ///< where it begins; its shape is that of the picture
+    Background background = Background::light;  ///< where it begins, as the next two
     double exposure_stops = 0;
-    std::string view;                    ///< where it begins: of views(), or the name of `more_view`
-    const View* more_view = nullptr;     ///< beside those of views()
-    std::optional<PageTruth> truth;      ///< to be compared with
-    std::string no_truth;                ///< else why not, and what would help; a sentence
+    std::string view;                 ///< of views(), or the name of `more_view`
+    const View* more_view = nullptr;  ///< beside those of views()
+    std::optional<PageTruth> truth;   ///< to be compared with
+    std::string no_truth;             ///< else why not, and what would help; a sentence
     std::vector<PageTable> tables;
     std::vector<std::string> notes;
 };

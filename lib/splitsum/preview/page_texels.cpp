@@ -32,8 +32,8 @@ struct Encoded {
 
 Encoded encode(const PageFormat& format, std::span<const float> values) {
     const size_t texels = values.size() / size_t(format.channels);
-    Encoded encoded{
-        std::vector<std::byte>(texels * size_t(info_of(format.stored).bytes_per_texel)), true};
+    Encoded encoded{std::vector<std::byte>(texels * size_t(info_of(format.stored).bytes_per_texel)),
+                    true};
     encode_texels(format.stored, format.channels, values, encoded.bytes);
     std::vector<float> decoded(values.size());
     decode_texels(format.stored, format.channels, encoded.bytes, decoded);
@@ -59,7 +59,8 @@ PageTexels texels_in(const PageFormat& format, std::span<const float> values) {
 std::vector<float> values_of(std::span<const Cubemap> levels) {
     std::vector<float> values;
     for (const Cubemap& level : levels)
-        for (const Vec3& texel : level.texels) values.insert(values.end(), {texel.x, texel.y, texel.z});
+        for (const Vec3& texel : level.texels)
+            values.insert(values.end(), {texel.x, texel.y, texel.z});
     return values;
 }
 

@@ -16,8 +16,9 @@ struct PageTexels {
     /// "rgb9e5", "b10g11r11": one 32-bit number a texel, as KTX 2 stores them. "rgb16f", "rg16f": half
     /// floats, as many as there are channels.
     std::string_view format;
-    std::string base64;  ///< little-endian, as texture uploads take them: level 0 first, face by face
-    bool exact = true;   ///< nothing was rounded: false where floats needed more than 11 bits
+    std::string
+        base64;  ///< little-endian, as texture uploads take them: level 0 first, face by face
+    bool exact = true;  ///< nothing was rounded: false where floats needed more than 11 bits
 };
 
 /// The levels in the smallest format that holds every texel exactly, so that a chain that was stored in

@@ -28,7 +28,7 @@ const fields = {
     metalness: number(1, 0, 1),
     color: { initial: '#e6e6e6', read: (text) => `#${text}`.match(/^#[0-9a-f]{6}$/i)?.[0].toLowerCase() },
     show: choice('shaded', ['shaded', ...levelNames, 'irradiance', 'table']),
-    background: choice('level-0', [...levelNames, 'blurred', 'irradiance', 'none']),
+    background: choice(facts.start.background, [...levelNames, 'blurred', 'irradiance', 'none']),
     exposure: number(facts.start.exposure, facts.start.exposure - 12, facts.start.exposure + 12),
     view: choice(facts.start.view, facts.views.map(({ name }) => name)),
     smooth: flag(true),
