@@ -1,7 +1,9 @@
 #include "results.h"
 
+#include <iomanip>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "splitsum/base/text.h"
 #include "splitsum/report/figures_json.h"
@@ -14,13 +16,25 @@ using Json = nlohmann::ordered_json;
 
 Json list_of(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
+Json noisy_json(const NoisyFigures& figures) {
+    return {{"rel_rms", figures.rel_rms},
+            {"bias", figures.bias},
+            {"noise", figures.noise},
+            {"pixels", figures.pixels}};
+}
+
 Json sphere_json(const SphereResult& result) {
     const Material& material = result.sphere.material;
-    return {{"name", result.sphere.name},
-            {"base_color", list_of(material.base_color)},
-            {"metalness", material.metalness},
-            {"perceptual_roughness", material.perceptual_roughness},
-            {"pixels", result.pixels}};
+    Json json = {{"name", result.sphere.name},
+                 {"base_color", list_of(material.base_color)},
+                 {"metalness", material.metalness},
+                 {"perceptual_roughness", material.perceptual_roughness},
+                 {"pixels", result.pixels}};
+    if (!result.errors) return json;
+    json["baked_data"] = figures_json(result.errors->baked_data);
+    json["approximation"] = noisy_json(result.errors->approximation);
+    json["together"] = noisy_json(result.errors->together);
+    return json;
 }
 
 const char* name_of(TruthEnd end) {
@@ -37,7 +51,8 @@ Json truth_json(const TruthResult& truth) {
     return {{"noise", truth.noise},
             {"samples", truth.samples},
             {"passes", truth.passes},
-            {"ended", name_of(truth.end)}};
+            {"ended", name_of(truth.end)},
+            {"split_exact", figures_json(truth.split_exact)}};
 }
 
 Json results_json(const PreviewResults& results) {
@@ -59,6 +74,26 @@ Json results_json(const PreviewResults& results) {
     return json;
 }
 
+// "dielectric 3               1.23e-03 ...": as the levels' figures are printed.
+std::string sphere_line(const SphereResult& result) {
+    std::ostringstream line;
+    line << std::left << std::setw(16) << result.sphere.name << std::right << std::fixed
+         << std::setprecision(4) << std::setw(15) << result.sphere.material.perceptual_roughness
+         << std::scientific << std::setprecision(2) << std::setw(12)
+         << result.errors->baked_data.rel_rms << std::setw(15)
+         << result.errors->approximation.rel_rms << std::setw(11) << result.errors->together.rel_rms
+         << std::setw(11) << result.errors->approximation.noise << "\n";
+    return line.str();
+}
+
+void print_spheres(const PreviewResults& results) {
+    if (results.spheres.empty() || !results.spheres.front().errors) return;
+    std::cout << "What each sphere misses the truth by (rel_rms), and the truth's own noise:\n"
+              << "                      roughness  baked data  approximation   together      "
+                 "noise\n";
+    for (const SphereResult& sphere : results.spheres) std::cout << sphere_line(sphere);
+}
+
 void print_text(const PreviewResults& results) {
     for (const std::string& note : results.notes) std::cout << "note: " << note << "\n";
     if (!results.chain.levels.empty()) {
@@ -68,6 +103,7 @@ void print_text(const PreviewResults& results) {
         std::cout << "What an engine reads between texels and levels:\n"
                   << readings_text(results.chain.between);
     }
+    print_spheres(results);
     if (results.truth)
         std::cout << cat("The truth has a mean relative standard error of ", results.truth->noise,
                          " (", name_of(results.truth->end), ", ", results.truth->samples,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "splitsum/preview/scene.h"
+#include "splitsum/preview/sphere_errors.h"
 #include "splitsum/preview/truth_picture.h"
 #include "splitsum/verify/check_levels.h"
 #include "splitsum/verify/reconstruction.h"
@@ -22,7 +23,8 @@ struct ChainFigures {
 /// What is said of one sphere.
 struct SphereResult {
     Sphere sphere;
-    int pixels;  ///< in which it is seen
+    int pixels;                                         ///< in which it is seen
+    std::optional<SphereErrors> errors = std::nullopt;  ///< where there is a truth
 };
 
 /// How the truth was found.
@@ -31,6 +33,7 @@ struct TruthResult {
     int passes;
     int64_t samples;
     TruthEnd end;
+    ErrorFigures split_exact{};  ///< of the exact split sum, where it was computed
 };
 
 /// What a run of splitsum-preview comes to.

@@ -10,6 +10,8 @@
 #include "splitsum/base/atomic_file.h"
 #include "splitsum/base/text.h"
 #include "splitsum/picture/exposure.h"
+#include "splitsum/preview/sphere_errors.h"
+#include "splitsum/preview/split_exact.h"
 
 namespace splitsum::tools {
 namespace {
@@ -99,6 +101,21 @@ std::vector<SphereResult> spheres_in(const Drawing& drawing) {
     return spheres;
 }
 
+// Separates what the assets cost from what the split sum costs.
+Status measure_spheres(const Drawing& drawing, const Environment& environment,
+                       const Pictures& pictures, PreviewResults& results, Progress& progress) {
+    constexpr int checks = 4;
+    const auto exact =
+        split_exact(drawing.scene, drawing.camera, environment,
+                    panorama_from_cube(drawing.baked.facts.orientation), checks, progress);
+    if (!exact) return exact.error();
+    const auto errors = sphere_errors(pictures.baked, exact->radiance, *pictures.truth,
+                                      int(drawing.scene.spheres.size()));
+    for (size_t i = 0; i < errors.size(); ++i) results.spheres[i].errors = errors[i];
+    results.truth->split_exact = exact->checked;
+    return ok;
+}
+
 Result<PreviewResults> measure(const Drawing& drawing, const PreviewOptions& options,
                                const std::optional<SourceLight>& source, const Pictures& pictures,
                                Progress& progress) {
@@ -113,12 +130,16 @@ Result<PreviewResults> measure(const Drawing& drawing, const PreviewOptions& opt
     if (!source) return results;
     results.notes.insert(results.notes.end(), source->notes.begin(), source->notes.end());
     if (const auto& truth = pictures.truth)
-        results.truth = {truth->noise, truth->passes, truth->total_samples, truth->end};
+        results.truth = {truth->noise, truth->passes, truth->total_samples, truth->end, {}};
     if (options.truth.probes() == 0) return results;
     auto chain =
         measure_chain(drawing.baked, source->environment, options.truth.probes(), progress);
     if (!chain) return chain.error();
     results.chain = std::move(*chain);
+    if (!results.truth) return results;
+    const Status measured =
+        measure_spheres(drawing, source->environment, pictures, results, progress);
+    if (!measured) return measured.error();
     return results;
 }
 

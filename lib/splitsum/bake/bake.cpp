@@ -127,7 +127,7 @@ Status write_files(const BakedAssets& assets, const BakePlan& plan,
     for (const auto& [name, text] : {std::pair("report.txt", report_text(report)),
                                      std::pair("report.json", report_json(report))})
         if (const Status done = write_text_whole(staged->path() / name, text); !done) return done;
-    return staged->publish("report.json", {"contact.png"});
+    return staged->publish("report.json", drawn_files());
 }
 
 }  // namespace
@@ -145,6 +145,8 @@ Status validate(const BakePlan& plan) {
 LightUse light_use(const BakePlan& plan, std::shared_ptr<FilterTables> tables) {
     return {.levels = levels_plan(plan), .probes = plan.probes, .tables = std::move(tables)};
 }
+
+std::vector<std::string> drawn_files() { return {"contact.png", "preview.png", "preview.html"}; }
 
 Result<BakeReport> bake(const Light& light, const BakePlan& plan,
                         const std::filesystem::path& folder, Progress& progress) {

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "splitsum/bake/light.h"
 #include "splitsum/base/progress.h"
@@ -32,6 +34,10 @@ Status validate(const BakePlan& plan);
 
 /// What to load the light of a panorama for.
 LightUse light_use(const BakePlan& plan, std::shared_ptr<FilterTables> tables);
+
+/// Pictures of a bake that may lie in its folder: they show what was baked then, and go when
+/// something else takes its place. splitsum-preview makes all but the first.
+std::vector<std::string> drawn_files();
 
 /// The main job: filters the light, stores specular.ktx2, irradiance.ktx2, harmonics.json and
 /// contact.png in `folder` (made if it is missing), measures what was stored, writes a

@@ -3,9 +3,9 @@
 #include <OpenColorIO/OpenColorIO.h>
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
+#include "splitsum/base/edit_distance.h"
 #include "splitsum/base/text.h"
 #include "splitsum/color/builtin_config_detail.h"
 
@@ -42,9 +42,15 @@ std::vector<DisplayView> views_of(const ocio::Config& config) {
     return views;
 }
 
-std::string names_of(const std::vector<DisplayView>& views) {
-    if (views.empty()) return "none";
-    return join(views, ", ", [](const DisplayView& view) { return view.name(); });
+Error no_view(const std::string& name, const fs::path& file,
+              const std::vector<DisplayView>& views) {
+    std::vector<std::string> names;
+    for (const DisplayView& view : views) names.push_back(view.name());
+    const auto nearest = nearest_name(name, names);
+    return {ErrorKind::bad_argument,
+            cat("no view '", name, "' in ", file.string(),
+                nearest ? cat("; did you mean ", *nearest, "? There are: ") : "; there are: ",
+                names.empty() ? "none" : join(names, ", "))};
 }
 
 // From the working space through the role that joins it to the config.
@@ -93,9 +99,7 @@ Result<DisplayTransform> DisplayTransform::of_config(const fs::path& file,
     if (!config) return config.error();
     const std::vector<DisplayView> views = views_of(**config);
     const auto view = std::ranges::find(views, display_and_view, &DisplayView::name);
-    if (view == views.end())
-        return Error{ErrorKind::bad_argument, cat("no view '", display_and_view, "' in ",
-                                                  file.string(), "; there are: ", names_of(views))};
+    if (view == views.end()) return no_view(display_and_view, file, views);
     try {
         const auto steps = shown_by(**config, *view);
         if (!steps)

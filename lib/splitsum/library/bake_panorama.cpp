@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "splitsum/bake/bake.h"
 #include "splitsum/bake/recipe.h"
 #include "splitsum/base/staged_folder.h"
 #include "splitsum/base/text.h"
@@ -36,7 +37,8 @@ Result<bool> fetch(const LibraryJob& job, const fs::path& folder, BakeShop& shop
     // What the cache holds is another's word; it counts if it says that it is what was asked for.
     const auto baked = read_baked_report(staged->path());
     if (!baked || baked->recipe != *recipe) return false;
-    if (const Status published = staged->publish(last_file); !published) return published.error();
+    if (const Status published = staged->publish(last_file, drawn_files()); !published)
+        return published.error();
     item.facts = facts_from(*baked);
     remember(folder, source->stamp, source->hash);
     return true;
@@ -52,7 +54,8 @@ Result<BakeReport> bake_and_store(const Light& light, const LibraryJob& job, con
     if (!report) return report.error();
     if (const Status stored = cache.store(report->recipe, staged->path()); !stored)
         item.notes.push_back(cat("not kept in the cache: ", stored.error().message));
-    if (const Status published = staged->publish(last_file); !published) return published.error();
+    if (const Status published = staged->publish(last_file, drawn_files()); !published)
+        return published.error();
     return report;
 }
 

@@ -52,9 +52,10 @@ Status check_keys(const Json& object, const std::string& place,
     for (const auto& [key, value] : object.items()) {
         if (std::ranges::find(known, key) != known.end()) continue;
         const auto nearest = nearest_name(key, known);
-        return unusable(cat(place, " has no '", key, "'",
-                            nearest ? cat("; did you mean ", *nearest, "?") : "",
-                            " There are: ", join(known, ", ")));
+        return unusable(
+            cat(place, " has no '", key, "'",
+                nearest ? cat("; did you mean ", *nearest, "? There are: ") : "; there are: ",
+                join(known, ", ")));
     }
     return ok;
 }

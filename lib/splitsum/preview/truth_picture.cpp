@@ -144,14 +144,13 @@ TruthPicture TruthRendering::run(int width, int height) {
 }
 
 TruthPicture TruthRendering::so_far(int width, int height) const {
-    TruthPicture picture;
-    picture.width = width;
-    picture.height = height;
     const size_t count = size_t(width) * size_t(height);
-    picture.sphere_at.assign(count, TruthPicture::background);
-    picture.mean.assign(count, Vec3(0));
-    picture.standard_error.assign(count, Vec3(0));
-    picture.samples.assign(count, 0);
+    TruthPicture picture{.width = width,
+                         .height = height,
+                         .sphere_at = std::vector<int>(count, TruthPicture::background),
+                         .mean = std::vector<Vec3>(count, Vec3(0)),
+                         .standard_error = std::vector<Vec3>(count, Vec3(0)),
+                         .samples = std::vector<int64_t>(count)};
     for (const TruthPixel& pixel : work_.pixels) {
         const size_t i = size_t(pixel.index);
         picture.sphere_at[i] = pixel.seen.sphere;

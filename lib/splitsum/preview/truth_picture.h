@@ -31,10 +31,11 @@ enum class TruthEnd {
 struct TruthPicture {
     int width = 0;
     int height = 0;
-    std::vector<int> sphere_at;  ///< index into the scene; background where that is seen
+    std::vector<int> sphere_at;  ///< index into the scene, or background
     std::vector<Vec3> mean;      ///< radiance; 0 in the background and where nothing was drawn yet
-    std::vector<Vec3> standard_error;  ///< of each channel of the mean; 0 where it is exact
-    std::vector<int64_t> samples;      ///< directions drawn; 0 where it is exact
+    std::vector<Vec3>
+        standard_error;  ///< of mean; 0 where it is exact, infinite where nothing was drawn yet
+    std::vector<int64_t> samples;  ///< directions drawn; 0 where it is exact
 
     /// The mean over sampled pixels of s / max(Y, 1 % of the mean Y of all spheres' pixels), with Y the
     /// luminance and s its standard error; 0 where nothing needed samples. Infinite as long as a
