@@ -9,17 +9,27 @@
 namespace splitsum::tools {
 namespace {
 
-std::string short_number(double value) {
+std::string with_digits(double value, int digits) {
     std::ostringstream text;
-    text << std::setprecision(2) << value;
+    text << std::setprecision(digits) << value;
     return text.str();
+}
+
+// "2.3e-4": two digits are as much as anyone compares.
+std::string figure(double value) {
+    std::ostringstream text;
+    text << std::scientific << std::setprecision(1) << value;
+    std::string figure = text.str();
+    if (const size_t zero = figure.find("e-0"); zero != figure.npos) figure.erase(zero + 2, 1);
+    if (const size_t none = figure.find("e+00"); none != figure.npos) figure.erase(none);
+    return figure;
 }
 
 std::vector<std::string> level_row(int level, double perceptual_roughness,
                                    const ErrorFigures& figures) {
-    std::vector<std::string> row = {cat("level ", level), short_number(perceptual_roughness)};
+    std::vector<std::string> row = {cat("level ", level), with_digits(perceptual_roughness, 3)};
     for (const double value : {figures.rel_rms, figures.max_rel, figures.bias})
-        row.push_back(figures.texels > 0 ? short_number(value) : "not measured");
+        row.push_back(figures.texels > 0 ? figure(value) : "not measured");
     row.push_back(cat(figures.texels));
     return row;
 }
@@ -52,15 +62,35 @@ PageTable reading_table(const PreviewResults& results) {
         {}};
     for (const ReconstructionError& band : results.chain.between)
         table.rows.push_back({cat(band.range.from, " to ", band.range.to),
-                              short_number(band.figures.rel_rms),
-                              short_number(band.figures.max_rel), short_number(band.figures.bias)});
+                              figure(band.figures.rel_rms), figure(band.figures.max_rel),
+                              figure(band.figures.bias)});
+    return table;
+}
+
+PageTable sphere_table(const PreviewResults& results) {
+    PageTable table{
+        "Error of the spheres",
+        "rel_rms over the pixels of each sphere, without the truth's noise. Baked data: "
+        "texels, levels, formats and table, against the exact split sum. Split sum: the "
+        "approximation itself, which no bake can help, against the truth.",
+        {"", "roughness", "baked data", "split sum", "together", "noise of the truth"},
+        {}};
+    for (const SphereResult& sphere : results.spheres) {
+        if (!sphere.errors) continue;
+        const SphereErrors& errors = *sphere.errors;
+        table.rows.push_back(
+            {sphere.sphere.name, with_digits(sphere.sphere.material.perceptual_roughness, 3),
+             figure(errors.baked_data.rel_rms), figure(errors.approximation.rel_rms),
+             figure(errors.together.rel_rms), figure(errors.approximation.noise)});
+    }
     return table;
 }
 
 std::string truth_note(const TruthResult& truth) {
-    return cat("The unsplit BRDF, integrated under the panorama itself with ", truth.samples,
-               " directions. The mean relative standard error of a pixel is ",
-               short_number(100 * truth.noise), " %.");
+    return cat("The unsplit BRDF, integrated under the panorama itself with ",
+               (truth.samples + 500000) / 1000000,
+               " million directions. The mean relative standard error of a pixel is ",
+               with_digits(100 * truth.noise, 2), " %.");
 }
 
 }  // namespace
@@ -81,8 +111,9 @@ Page page_of(const BakedAssets& baked, const PreviewResults& results) {
     page.notes = results.notes;
     page.no_truth =
         "There is none in this page: splitsum-preview --panorama FILE --truth computes it.";
-    if (results.truth) page.truth = PageTruth{nullptr, truth_note(*results.truth)};
-    for (PageTable& table : std::array{level_table(baked, results), reading_table(results)})
+    if (results.truth) page.truth = PageTruth{nullptr, 0, truth_note(*results.truth)};
+    for (PageTable& table :
+         std::array{sphere_table(results), level_table(baked, results), reading_table(results)})
         if (!table.rows.empty()) page.tables.push_back(std::move(table));
     return page;
 }

@@ -10,6 +10,7 @@
 #include "splitsum/base/atomic_file.h"
 #include "splitsum/base/text.h"
 #include "splitsum/picture/exposure.h"
+#include "splitsum/preview/difference.h"
 #include "splitsum/preview/sphere_errors.h"
 #include "splitsum/preview/split_exact.h"
 
@@ -154,7 +155,10 @@ Status write_page_file(const Drawing& drawing, const PreviewOptions& options,
     page.exposure_stops = drawing.shown.exposure_stops;
     page.view = options.view.name;
     page.more_view = is_builtin(page.view) ? nullptr : &drawing.shown.view;
-    if (pictures.truth) page.truth->picture = &pictures.truth_image;
+    if (pictures.truth) {
+        page.truth->picture = &pictures.truth_image;
+        page.truth->least_luminance = least_luminance(*pictures.truth);
+    }
     return write_page(page, results.page);
 }
 

@@ -9,6 +9,7 @@
 #include "splitsum/base/html_text.h"
 #include "splitsum/base/text.h"
 #include "splitsum/base/version.h"
+#include "splitsum/preview/difference.h"
 #include "splitsum/preview/page_files_detail.h"
 #include "splitsum/preview/page_texels.h"
 #include "splitsum/preview/view_lut.h"
@@ -119,8 +120,14 @@ void add_truth(PageData& data, const Page& page) {
     data.facts["noTruth"] = page.no_truth;
     if (!page.truth) return;
     const Image& picture = *page.truth->picture;
-    data.facts["truth"] = {
-        {"width", picture.width}, {"height", picture.height}, {"note", page.truth->note}};
+    data.facts["truth"] = {{"width", picture.width},
+                           {"height", picture.height},
+                           {"note", page.truth->note},
+                           {"leastLuminance", page.truth->least_luminance},
+                           {"fullDifference", full_difference},
+                           {"tooBright", difference_color(full_difference)},
+                           {"tooDark", difference_color(-full_difference)},
+                           {"differenceBackground", difference_background}};
     add_texels(data, "truth", page_texels(picture).base64);
 }
 

@@ -26,6 +26,7 @@ struct PageTable {
 /// The same spheres by exact integration.
 struct PageTruth {
     const Image* picture = nullptr;  ///< scene-linear, of the page's scene and viewpoint
+    double least_luminance = 0;      ///< as in difference.h
     std::string note;                ///< how it was made and how noisy it is
 };
 

@@ -31,8 +31,7 @@ function fillControls() {
     const exposure = element('exposure');
     exposure.min = facts.start.exposure - 12;
     exposure.max = facts.start.exposure + 12;
-    const compare = element('compare');
-    compare.disabled = facts.truth === undefined;
+    element('compare').disabled = facts.truth === undefined;
     element('compare-note').textContent = facts.truth ? facts.truth.note : facts.noTruth;
     element('scene-name').textContent = facts.spheres.length === 1 ? 'The sphere' : `All ${facts.spheres.length}`;
 }
@@ -63,6 +62,9 @@ function showControls(state) {
 }
 
 function captionOf(state) {
+    if (comparison(state) === 'difference')
+        return 'Red: baked light is brighter than the truth. Blue: it is darker. White: both are equal. ' +
+            `The colours are full at ${Math.round(100 * facts.truth.fullDifference)} %.`;
     if (state.show === 'table')
         return 'The split-sum table. To the right n·v, upwards perceptual roughness, both from 0 to 1; ' +
             'red is a, green is b of F0 · a + b.';
@@ -75,12 +77,12 @@ function captionOf(state) {
 }
 
 function showDivider(state) {
-    const split = isSplit(state);
+    const split = comparison(state) === 'split';
     for (const id of ['divider', 'badge-baked', 'badge-truth']) element(id).hidden = !split;
     const divider = element('divider');
     divider.style.left = `${100 * state.split}%`;
     divider.setAttribute('aria-valuenow', Math.round(100 * state.split));
-    const reason = state.compare && facts.truth ? misfit(state) : undefined;
+    const reason = state.compare !== 'off' && facts.truth ? misfit(state) : undefined;
     element('misfit').hidden = reason === undefined;
     element('misfit-text').textContent = reason ?? '';
 }

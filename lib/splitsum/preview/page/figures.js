@@ -18,7 +18,7 @@ function tableRow(cells, tags) {
 }
 
 function figureSection({ heading, note, columns, rows }) {
-    const section = newElement('section', undefined, 'figures');
+    const section = newElement('section');
     const table = newElement('table');
     const head = newElement('thead');
     head.append(tableRow(columns, ['th']));
@@ -35,7 +35,7 @@ function figureSection({ heading, note, columns, rows }) {
 }
 
 function noteSection(notes) {
-    const section = newElement('section', undefined, 'figures');
+    const section = newElement('section');
     section.append(newElement('h2', 'Notes'), ...notes.map((note) => newElement('p', note, 'note')));
     return section;
 }

@@ -63,7 +63,8 @@ function change(changes) {
 }
 
 function fail(message) {
-    element('viewer').hidden = true;
+    element('stage').hidden = true;
+    element('controls').hidden = true;
     element('failure').hidden = false;
     element('failure').textContent = `No picture: ${message} The figures below do not need it.`;
 }

@@ -1,5 +1,5 @@
 // Spheres under baked light, shaded by the library of shaders/include as an engine would; one level, the
-// irradiance or the table alone; and the truth beside them.
+// irradiance or the table alone; the truth beside them, and the difference.
 #include "splitsum_levels.glsl"
 #include "splitsum_sampling.glsl"
 #include "splitsum_split_sum.glsl"
@@ -33,6 +33,13 @@ uniform float exposure;        // a factor
 uniform int samples_per_axis;  // of a pixel, evenly; 1: its centre
 uniform float truth_from;      // from this pixel column on the truth is shown
 
+uniform bool shows_difference;  // of baked light from the truth
+uniform float least_luminance;
+uniform float full_difference;
+uniform vec3 too_bright;
+uniform vec3 too_dark;
+uniform vec3 difference_background;
+
 float level_of(float perceptual_roughness) {
     if (curve == CURVE_LINEAR) return splitsum_level_linear(perceptual_roughness, last_level);
     if (curve == CURVE_FILAMENT) return splitsum_level_filament(perceptual_roughness, last_level);
@@ -64,15 +71,25 @@ vec3 truth_at(vec2 place) {
     return textureLod(truth, from_top, 0.0).rgb;
 }
 
-vec3 light_at(vec2 place) {
-    vec3 ray = ray_through(place);
-    Seen seen = first_surface(ray);
-    vec3 ahead = cube_from_view * ray;
-    if (seen.sphere < 0) return stored_light(behind, ahead, ahead);
+vec3 light_on_sphere(vec2 place, Seen seen) {
     if (place.x >= truth_from) return truth_at(place);
     vec3 mirrored = reflect(-seen.view, seen.normal);
     return on_spheres == SHADED ? shaded(seen, mirrored)
                                 : stored_light(on_spheres, seen.normal, mirrored);
+}
+
+float luminance(vec3 rgb) {
+    return dot(rgb, vec3(0.2126, 0.7152, 0.0722));
+}
+
+// The twin of preview/difference.h.
+vec3 difference_at(vec2 place, Seen seen) {
+    if (seen.sphere < 0) return difference_background;
+    float baked = luminance(shaded(seen, reflect(-seen.view, seen.normal)));
+    float exact = luminance(truth_at(place));
+    float relative = (baked - exact) / max(max(exact, least_luminance), 1e-20);
+    vec3 end = relative > 0.0 ? too_bright : too_dark;
+    return mix(vec3(1.0), end, min(abs(relative) / full_difference, 1.0));
 }
 
 // The table as a square in the middle: n·v to the right, perceptual roughness upwards.
@@ -84,7 +101,13 @@ vec3 table_at(vec2 place) {
 }
 
 vec3 colour_at(vec2 place) {
-    return on_spheres == TABLE ? table_at(place) : shown(exposure * light_at(place));
+    if (on_spheres == TABLE) return table_at(place);
+    vec3 ray = ray_through(place);
+    Seen seen = first_surface(ray);
+    if (shows_difference) return difference_at(place, seen);
+    vec3 ahead = cube_from_view * ray;
+    return shown(exposure * (seen.sphere < 0 ? stored_light(behind, ahead, ahead)
+                                             : light_on_sphere(place, seen)));
 }
 
 void main() {

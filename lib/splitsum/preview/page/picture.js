@@ -44,13 +44,14 @@ function misfit(state) {
     return undefined;
 }
 
-const isSplit = (state) =>
-    state.compare && facts.truth !== undefined && misfit(state) === undefined;
+// 'split', 'difference', or 'off' where the truth is not to be or cannot be seen.
+const comparison = (state) =>
+    (facts.truth === undefined || misfit(state) !== undefined ? 'off' : state.compare);
 
 // `settled`: nothing moves, so there is time for more than one sample a pixel. A picture beside the truth
 // has one, as the truth has its samples at one point of each pixel.
 function samplesPerAxis(state, settled) {
-    if (!state.smooth || !settled || isSplit(state)) return 1;
+    if (!state.smooth || !settled || comparison(state) !== 'off') return 1;
     return globalThis.devicePixelRatio >= 2 ? 2 : 3;
 }
 
@@ -67,6 +68,7 @@ function pictureOf(state, width, height, settled) {
         exposure: 2 ** state.exposure,
         view: facts.views.findIndex(({ name }) => name === state.view),
         samplesPerAxis: samplesPerAxis(state, settled),
-        truthFrom: isSplit(state) ? Math.round(state.split * width) : width,
+        truthFrom: comparison(state) === 'split' ? Math.round(state.split * width) : width,
+        showsDifference: comparison(state) === 'difference',
     };
 }

@@ -97,6 +97,18 @@ class Renderer {
         this.setFloat('lut_brightest', lut?.brightest ?? 1);
     }
 
+    setTruth({ truthFrom, showsDifference }) {
+        const { gl } = this;
+        this.setFloat('truth_from', truthFrom);
+        this.setInteger('shows_difference', showsDifference);
+        if (!facts.truth) return;
+        this.setFloat('least_luminance', facts.truth.leastLuminance);
+        this.setFloat('full_difference', facts.truth.fullDifference);
+        for (const [name, bytes] of [['too_bright', facts.truth.tooBright], ['too_dark', facts.truth.tooDark],
+            ['difference_background', facts.truth.differenceBackground]])
+            gl.uniform3fv(this.place(name), bytes.map((byte) => byte / 255));
+    }
+
     draw(picture) {
         const { gl, canvas } = this;
         if (gl.isContextLost()) return;
@@ -114,7 +126,7 @@ class Renderer {
         this.setFloat('behind', picture.behind);
         this.setFloat('exposure', picture.exposure);
         this.setInteger('samples_per_axis', picture.samplesPerAxis);
-        this.setFloat('truth_from', picture.truthFrom);
+        this.setTruth(picture);
         gl.drawArrays(gl.TRIANGLES, 0, 3);
     }
 

@@ -32,7 +32,7 @@ const fields = {
     exposure: number(facts.start.exposure, facts.start.exposure - 12, facts.start.exposure + 12),
     view: choice(facts.start.view, facts.views.map(({ name }) => name)),
     smooth: flag(true),
-    compare: flag(facts.truth !== undefined),
+    compare: choice(facts.truth ? 'split' : 'off', ['off', 'split', 'difference']),
     split: number(0.5, 0, 1),
     yaw: number(facts.start.yaw, -36000, 36000),
     pitch: number(facts.start.pitch, -90, 90),
