@@ -23,7 +23,7 @@ export const panorama = (name) => join(panoramas, `${name}.exr`);
 /// The folder of a panorama's assets. Each combination of options needs a `name` of its own.
 export function baked(name, of, ...options) {
     const place = join(folder, name);
-    run('splitsum-bake', panorama(of), '-o', place, '--no-verify', '--size', '128', ...options);
+    run('splitsum-bake', panorama(of), '-o', place, '--no-verify', ...options);
     return join(place, of);
 }
 

@@ -1,11 +1,11 @@
 // The page in a browser, opened from disk.
 
-import { openBrowser, problemsOf } from '../browser.mjs';
+import { problemsOf } from '../browser.mjs';
 
 /// Opens a page and waits until it has drawn. `problems`: of problemsOf(), and every address that was
 /// asked for beside the file itself. `options` of playwright's contexts.
 export async function openFile(browser, url, options = {}) {
-    const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+    const context = await browser.newContext({ viewport: { width: 640, height: 600 }, ...options });
     const tab = await context.newPage();
     const problems = problemsOf(tab);
     await context.route('**', (route, request) => {
@@ -20,7 +20,7 @@ export async function openFile(browser, url, options = {}) {
 
 /// The pixels of a state of the page: { width, height, rgb }, row 0 at the top.
 export async function pixelsOf(tab, state = {}) {
-    const fragment = new URLSearchParams({ smooth: 0, compare: 0, ...state }).toString();
+    const fragment = new URLSearchParams({ smooth: 0, compare: 'off', ...state }).toString();
     const drawn = await tab.evaluate((text) => {
         const { width, height, rgba } = globalThis.splitsum.pixels(text);
         let binary = '';
@@ -50,4 +50,3 @@ export function difference(a, b) {
     };
 }
 
-export { openBrowser };

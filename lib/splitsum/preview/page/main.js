@@ -3,9 +3,7 @@
 let state = stateOf(location.hash);
 let renderer;
 let scheduled = false;  // a picture is on its way
-let settling;           // the timer of a finer picture, and of the address
-
-const isSettled = () => settling === undefined;
+let remembering;        // the timer of the address
 
 // The canvas is as large as its place in device pixels, but no larger than what draws quickly.
 function pictureSize() {
@@ -17,7 +15,7 @@ function pictureSize() {
 }
 
 function drawNow() {
-    renderer.draw(pictureOf(state, ...pictureSize(), isSettled()));
+    renderer.draw(pictureOf(state, ...pictureSize()));
 }
 
 function schedule() {
@@ -29,11 +27,12 @@ function schedule() {
     });
 }
 
+const narrow = matchMedia('(max-width: 54rem)');
+
 // One sphere on a phone has room for more height than a row of them needs.
 function showShape() {
     const whole = facts.start.width / facts.start.height;
-    const narrow = matchMedia('(max-width: 54rem)').matches;
-    const shape = state.object === 'sphere' && narrow ? Math.min(whole, 1.4) : whole;
+    const shape = state.object === 'sphere' && narrow.matches ? Math.min(whole, 1.4) : whole;
     element('frame').style.setProperty('--shape', shape);
 }
 
@@ -53,12 +52,8 @@ function show() {
 
 function change(changes) {
     state = { ...state, ...changes };
-    clearTimeout(settling);
-    settling = setTimeout(() => {
-        settling = undefined;
-        rememberInAddress();
-        schedule();
-    }, 200);
+    clearTimeout(remembering);
+    remembering = setTimeout(rememberInAddress, 200);
     show();
 }
 
@@ -79,7 +74,8 @@ function listen() {
         object: 'scene', show: 'shaded', yaw: facts.start.yaw, pitch: facts.start.pitch,
     }));
     addEventListener('hashchange', () => change(stateOf(location.hash)));
-    new ResizeObserver(() => show()).observe(element('frame'));
+    new ResizeObserver(schedule).observe(element('frame'));
+    narrow.addEventListener('change', show);
     const canvas = element('canvas');
     canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
     canvas.addEventListener('webglcontextrestored', () => {
@@ -94,13 +90,16 @@ try {
     renderer = new Renderer(element('canvas'));
     listen();
     show();
-    // For programs: the pixels of a state, {name: value} as the fragment has them.
+    // For programs: the pixels that the page shows with another fragment, { width, height, rgba }.
     globalThis.splitsum = {
         pixels: (fragment) => {
+            const kept = state;
             state = stateOf(fragment);
-            show();
             drawNow();
-            return renderer.pixels();
+            const pixels = renderer.pixels();
+            state = kept;
+            schedule();
+            return pixels;
         },
     };
 } catch (error) {

@@ -30,7 +30,7 @@ uniform float on_spheres;
 uniform float behind;
 
 uniform float exposure;        // a factor
-uniform int samples_per_axis;  // of a pixel, evenly; 1: its centre
+uniform bool smooth_edges;     // else every pixel is what is seen at its centre
 uniform float truth_from;      // from this pixel column on the truth is shown
 
 uniform bool shows_difference;  // of baked light from the truth
@@ -110,11 +110,20 @@ vec3 colour_at(vec2 place) {
                                              : light_on_sphere(place, seen)));
 }
 
+// Whether not all corners of a pixel see the same sphere.
+bool is_edge(vec2 corner) {
+    int sphere = first_surface(ray_through(corner)).sphere;
+    for (int i = 1; i < 4; ++i)
+        if (first_surface(ray_through(corner + vec2(i & 1, i >> 1))).sphere != sphere) return true;
+    return false;
+}
+
 void main() {
     vec2 corner = floor(gl_FragCoord.xy);
+    int samples = smooth_edges && on_spheres != TABLE && is_edge(corner) ? 3 : 1;  // along an axis
     vec3 sum = vec3(0.0);
-    for (int y = 0; y < samples_per_axis; ++y)
-        for (int x = 0; x < samples_per_axis; ++x)
-            sum += colour_at(corner + (vec2(x, y) + 0.5) / float(samples_per_axis));
-    pixel = vec4(sum / float(samples_per_axis * samples_per_axis), 1.0);
+    for (int y = 0; y < samples; ++y)
+        for (int x = 0; x < samples; ++x)
+            sum += colour_at(corner + (vec2(x, y) + 0.5) / float(samples));
+    pixel = vec4(sum / float(samples * samples), 1.0);
 }

@@ -48,14 +48,7 @@ function misfit(state) {
 const comparison = (state) =>
     (facts.truth === undefined || misfit(state) !== undefined ? 'off' : state.compare);
 
-// `settled`: nothing moves, so there is time for more than one sample a pixel. A picture beside the truth
-// has one, as the truth has its samples at one point of each pixel.
-function samplesPerAxis(state, settled) {
-    if (!state.smooth || !settled || comparison(state) !== 'off') return 1;
-    return globalThis.devicePixelRatio >= 2 ? 2 : 3;
-}
-
-function pictureOf(state, width, height, settled) {
+function pictureOf(state, width, height) {
     const spheres = spheresOf(state);
     return {
         width,
@@ -67,7 +60,7 @@ function pictureOf(state, width, height, settled) {
         behind: whichLight(state.background),
         exposure: 2 ** state.exposure,
         view: facts.views.findIndex(({ name }) => name === state.view),
-        samplesPerAxis: samplesPerAxis(state, settled),
+        smoothEdges: state.smooth,
         truthFrom: comparison(state) === 'split' ? Math.round(state.split * width) : width,
         showsDifference: comparison(state) === 'difference',
     };

@@ -61,9 +61,14 @@ class Renderer {
     }
 
     // Every sampler needs a unit of its own: two kinds of textures at one unit are an error.
+    // What is not there is not read either, but browsers warn of units without a texture.
     bindTextures(lut) {
         const { gl } = this;
-        const bound = { ...this.textures, truth: this.textures.truth ?? [gl.TEXTURE_2D, null], view_lut: [gl.TEXTURE_3D, lut] };
+        const bound = {
+            truth: this.textures.split_sum_table,
+            ...this.textures,
+            view_lut: [gl.TEXTURE_3D, lut ?? this.luts.find(Boolean)],
+        };
         Object.entries(bound).forEach(([name, [target, texture]], unit) => {
             gl.activeTexture(gl.TEXTURE0 + unit);
             gl.bindTexture(target, texture);
@@ -118,14 +123,14 @@ class Renderer {
         gl.useProgram(this.program);
         gl.activeTexture(gl.TEXTURE0);
         fillSpheres(gl, this.textures.spheres[1], picture.spheres);
-        this.bindTextures(this.luts[picture.view] ?? null);
+        this.bindTextures(this.luts[picture.view]);
         this.setChain();
         this.setCamera(picture);
         this.setView(picture.view);
         this.setFloat('on_spheres', picture.onSpheres);
         this.setFloat('behind', picture.behind);
         this.setFloat('exposure', picture.exposure);
-        this.setInteger('samples_per_axis', picture.samplesPerAxis);
+        this.setInteger('smooth_edges', picture.smoothEdges);
         this.setTruth(picture);
         gl.drawArrays(gl.TRIANGLES, 0, 3);
     }
