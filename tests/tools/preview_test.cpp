@@ -31,25 +31,24 @@ std::pair<unsigned, unsigned> png_size(const fs::path& file) {
 /// A small bake of the lopsided sky.
 class PreviewTool : public testing::Test {
 protected:
-    void bake(const Arguments& more = {}) {
-        Arguments arguments = {panorama,
-                               "-o",
-                               (folder_ / "out").string(),
-                               "--size",
-                               "32",
-                               "--levels",
-                               "4",
-                               "--irradiance-size",
-                               "8",
-                               "--table-size",
-                               "32",
-                               "--probes",
-                               "2",
-                               "--no-picture",
-                               "--force"};
+    void bake(const Arguments& more = {}, const std::string& levels = "4") {
+        Arguments arguments = {panorama, "-o", (folder_ / "out").string(), "--levels", levels};
+        for (const char* argument : {"--size", "32", "--irradiance-size", "8", "--table-size", "32",
+                                     "--probes", "2", "--no-picture", "--force"})
+            arguments.emplace_back(argument);
         arguments.insert(arguments.end(), more.begin(), more.end());
         const ProgramResult run = run_tool("splitsum-bake", arguments);
         ASSERT_EQ(run.exit_code, 0) << run.err;
+    }
+
+    /// The spheres of --json beside a truth of little noise.
+    Json spheres(const std::string& folder, const std::string& source) const {
+        const ProgramResult run =
+            preview({folder, "-o", picture(), "--size", "105x30", "--panorama", source, "--truth",
+                     "--noise", "0.02", "--probes", "2", "--json"});
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+        const Json result = Json::parse(run.out, nullptr, false);
+        return result.is_discarded() ? Json::array() : result["spheres"];
     }
 
     std::string baked() const { return (folder_ / "out/lopsided").string(); }
@@ -168,6 +167,43 @@ TEST_F(PreviewTool, FindsTheFiguresOfSplitsumCompare) {
     EXPECT_EQ(ours["between_texels_and_levels"], theirs["between_texels_and_levels"]);
     for (const Json& level : ours["levels"]) EXPECT_LT(level["rel_rms"], 2e-3);
     EXPECT_EQ(ours["notes"], Json::array());
+}
+
+// Fewer levels cost baked data alone: the split sum stays as wrong as it was.
+TEST_F(PreviewTool, TellsBakedDataFromTheSplitSum) {
+    bake();
+    const Json many = spheres(baked(), panorama);
+    bake({}, "2");
+    const Json few = spheres(baked(), panorama);
+    ASSERT_EQ(many.size(), 14u);
+    ASSERT_EQ(few.size(), 14u);
+    const Json &fine = many[10], &coarse = few[10];
+    EXPECT_EQ(fine["name"], "metal 3");
+    EXPECT_GT(coarse["baked_data"]["rel_rms"], 3 * double(fine["baked_data"]["rel_rms"]));
+    EXPECT_GT(fine["approximation"]["rel_rms"], 0.01);
+    EXPECT_EQ(fine["approximation"], coarse["approximation"]);
+    EXPECT_GT(fine["pixels"], 20);
+}
+
+// Where light is the same everywhere, nothing is lost by splitting it, and all that is left are the
+// rounding of half floats and a table of 32², 1 % at its rim of roughness 1.
+TEST_F(PreviewTool, FindsNoApproximationInAWhiteFurnace) {
+    std::string bytes = "PF\n16 8\n-1.0\n";
+    const float light[3] = {0.5f, 0.25f, 2};
+    for (int i = 0; i < 16 * 8; ++i)
+        bytes.append(reinterpret_cast<const char*>(light), sizeof light);
+    const std::string furnace = picture("furnace.pfm");
+    write_bytes(furnace, bytes);
+    const ProgramResult run = run_tool(
+        "splitsum-bake", {furnace, "-o", (folder_ / "out").string(), "--size", "8", "--levels", "3",
+                          "--irradiance-size", "4", "--table-size", "32", "--no-picture"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Json found = spheres((folder_ / "out/furnace").string(), furnace);
+    ASSERT_EQ(found.size(), 14u);
+    for (const Json& sphere : found) {
+        EXPECT_LT(sphere["approximation"]["rel_rms"], 1e-5) << sphere;
+        EXPECT_LT(sphere["together"]["rel_rms"], 1.5e-2) << sphere;
+    }
 }
 
 TEST_F(PreviewTool, NotesAnotherPanorama) {

@@ -143,6 +143,7 @@ TruthOptions::TruthOptions(CLI::App& app) {
                      "draw the same by exact integration too, without splitting anything, "
                      "and the\ndifference: white where there is none, red where baked "
                      "light is brighter, blue\nwhere it is darker, fully so at 25 %")
+            ->option_text(" ")
             ->needs(file);
     app.add_option(
            "--noise", plan_.noise,

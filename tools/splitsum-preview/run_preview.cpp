@@ -9,7 +9,7 @@
 #include "results.h"
 #include "splitsum/base/atomic_file.h"
 #include "splitsum/base/text.h"
-#include "splitsum/picture/exposure.h"
+#include "splitsum/preview/auto_exposure.h"
 #include "splitsum/preview/difference.h"
 #include "splitsum/preview/sphere_errors.h"
 #include "splitsum/preview/split_exact.h"
@@ -35,7 +35,7 @@ Result<Drawing> prepare(const PreviewOptions& options) {
     auto baked = read_baked(*files);
     if (!baked) return baked.error();
     const double exposure_stops =
-        options.view.exposure_stops().value_or(exposure_stops_of(baked->light.specular.front()));
+        options.view.exposure_stops().value_or(auto_exposure_stops(baked->light.specular.front()));
     const Camera camera = camera_for(*scene, options.scene.viewpoint());
     return Drawing{std::move(*scene), camera, std::move(*baked),
                    Shown{std::move(*view), exposure_stops}};

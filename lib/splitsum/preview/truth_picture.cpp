@@ -69,7 +69,7 @@ private:
 
     // The share of samples that random points would have taken by now.
     double share_at(double noise) const {
-        const double left = noise > 0 ? plan_.noise / noise : 1;
+        const double left = plan_.noise / noise;
         return std::min(left * left, 1.0);
     }
 
@@ -120,18 +120,18 @@ double TruthRendering::judge() {
 
 TruthPicture TruthRendering::run(int width, int height) {
     std::vector<size_t> tiles = all_tiles();
-    double noise = 0, expected = 0;
+    double noise = 0, share = 0, expected_share = 0;
     int passes = 0;
     while (!tiles.empty()) {
-        refine(tiles, passes == 0 ? 0 : share_at(noise), share_at(expected));
+        refine(tiles, share, expected_share);
         noise = judge();
         if (watch_.stopped()) break;
         ++passes;
         if (noise <= plan_.noise) break;
-        shares_.reach(share_at(noise));
         Refinement next = tiles_to_refine(work_.tiles, plan_.noise);
         tiles = std::move(next.tiles);
-        expected = next.expected_noise;
+        share = share_at(noise);
+        expected_share = share_at(next.expected_noise);
     }
     TruthPicture picture = so_far(width, height);
     picture.noise = noise;

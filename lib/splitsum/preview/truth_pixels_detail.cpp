@@ -8,13 +8,14 @@
 #include <tuple>
 
 #include "splitsum/base/parallel.h"
+#include "splitsum/image/luminance.h"
 
 namespace splitsum {
 namespace {
 
 constexpr int tile_size = 8;
-constexpr uint32_t most_points = 1u << 22;
-constexpr Vec3d luminance_weights(0.2126, 0.7152, 0.0722);  // of Rec.709
+constexpr uint32_t most_points = 1u << 18;  // a doubling must not keep anybody waiting
+const Vec3d luminance_weights(luminance({1, 0, 0}), luminance({0, 1, 0}), luminance({0, 0, 1}));
 
 // Doubling the points divides noise by this at least: evenly spread points do better.
 const double doubled = std::sqrt(2.0);
@@ -60,14 +61,13 @@ TruthPixels truth_pixels(const Scene& scene, const Camera& camera, const SphereS
 double noise_of(const TruthPixel& pixel, double least) {
     if (pixel.is_missing()) return std::numeric_limits<double>::infinity();
     const double error = std::sqrt(pixel.sampled.variance_of_mean(luminance_weights));
-    return error == 0 ? 0 : error / std::max(dot(luminance_weights, pixel.mean()), least);
+    return error == 0 ? 0 : error / std::max(luminance(pixel.mean()), least);
 }
 
 double least_luminance(const std::vector<TruthPixel>& pixels) {
-    const double sum = std::accumulate(pixels.begin(), pixels.end(), 0.0,
-                                       [](double before, const TruthPixel& pixel) {
-                                           return before + dot(luminance_weights, pixel.mean());
-                                       });
+    const double sum = std::accumulate(
+        pixels.begin(), pixels.end(), 0.0,
+        [](double before, const TruthPixel& pixel) { return before + luminance(pixel.mean()); });
     return pixels.empty() ? 0 : 0.01 * sum / double(pixels.size());
 }
 

@@ -72,6 +72,32 @@ TEST(Picture, IsBlackBehindTheSpheresOnRequest) {
             EXPECT_EQ(pixel(*picture, x, y) == Vec3(0), !first_surface(scene, camera, x, y));
 }
 
+TEST(Picture, OfTheTruthHasTheSameBackground) {
+    const BakedLight light = lopsided_light();
+    const Scene scene = textbook_scene();
+    const Camera camera = camera_for(scene, {.width = 60, .height = 30, .yaw_degrees = 35});
+    TruthPicture truth;
+    truth.width = camera.width;
+    truth.height = camera.height;
+    for (int i = 0; i < truth.width * truth.height; ++i) {
+        truth.mean.emplace_back(i, 2 * i, 3 * i);
+        truth.standard_error.emplace_back(-i, i, 7 * i);
+    }
+    NoProgress progress;
+    const auto baked = baked_picture(scene, camera, light, Background::light, progress);
+    ASSERT_TRUE(baked);
+    const Image picture = picture_of(truth, scene, camera, light, Background::light);
+    const Image noise = standard_error_of(truth);
+    for (int y = 0; y < camera.height; ++y)
+        for (int x = 0; x < camera.width; ++x) {
+            const auto i = float(y * camera.width + x);
+            const bool on_sphere = first_surface(scene, camera, x, y).has_value();
+            EXPECT_EQ(pixel(picture, x, y),
+                      on_sphere ? Vec3(i, 2 * i, 3 * i) : pixel(*baked, x, y));
+            EXPECT_EQ(pixel(noise, x, y), Vec3(-i, i, 7 * i));
+        }
+}
+
 TEST(Picture, DoesNotDependOnThreads) {
     const Scene scene = textbook_scene();
     const Camera camera = camera_for(scene, {.width = 128, .height = 64});
