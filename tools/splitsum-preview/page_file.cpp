@@ -70,10 +70,11 @@ PageTable reading_table(const PreviewResults& results) {
 PageTable sphere_table(const PreviewResults& results) {
     PageTable table{
         "Error of the spheres",
-        "rel_rms over the pixels of each sphere, without the truth's noise. Baked data: "
-        "texels, levels, formats and table, against the exact split sum. Split sum: the "
-        "approximation itself, which no bake can help, against the truth.",
-        {"", "roughness", "baked data", "split sum", "together", "noise of the truth"},
+        "rel_rms over the pixels of each sphere, without the truth's noise. Baked data: what "
+        "texels, "
+        "levels, formats and table cost. Approximation: what the split sum itself costs, which no "
+        "bake can help. Noise: of the truth.",
+        {"", "roughness", "baked data", "approximation", "together", "noise"},
         {}};
     for (const SphereResult& sphere : results.spheres) {
         if (!sphere.errors) continue;

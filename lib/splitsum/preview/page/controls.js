@@ -29,8 +29,8 @@ function fillControls() {
         (name) => (name === 'level-0' ? 'Panorama' : lightLabel(name)));
     fillSelect('view', facts.views.map(({ name }) => name), (name) => viewLabels[name] ?? name);
     const exposure = element('exposure');
-    exposure.min = facts.start.exposure - 12;
-    exposure.max = facts.start.exposure + 12;
+    exposure.min = facts.start.exposure - 8;
+    exposure.max = facts.start.exposure + 8;
     element('compare').disabled = facts.truth === undefined;
     element('compare-note').textContent = facts.truth ? facts.truth.note : facts.noTruth;
     element('scene-name').textContent = facts.spheres.length === 1 ? 'The sphere' : `All ${facts.spheres.length}`;
@@ -68,7 +68,8 @@ function captionOf(state) {
     if (state.show === 'table')
         return 'The split-sum table. To the right n·v, upwards perceptual roughness, both from 0 to 1; ' +
             'red is a, green is b of F0 · a + b.';
-    const direction = `Yaw ${Math.round(state.yaw)}°, pitch ${Math.round(state.pitch)}°.`;
+    const direction = atStart(state) ? 'Drag the picture to turn the light around it.'
+        : `Yaw ${Math.round(state.yaw)}°, pitch ${Math.round(state.pitch)}°.`;
     if (state.show === 'irradiance') return `Irradiance / π by normal. ${direction}`;
     if (state.show !== 'shaded')
         return `${levelLabel(levelNumber(state.show))}, as a perfect reflector shows it. ${direction}`;

@@ -34,13 +34,15 @@ function spheresOf(state) {
 const whichLight = (name) =>
     ({ shaded: -1, irradiance: -2, none: -3, table: -4, blurred: blurredLevel })[name] ?? levelNumber(name);
 
+// Whether the viewpoint is that of the truth, but for rounding.
+const atStart = ({ yaw, pitch }) =>
+    Math.max(Math.abs(yaw - facts.start.yaw), Math.abs(pitch - facts.start.pitch)) < 1e-6;
+
 // Why the truth cannot stand beside what is shown now; nothing if it can.
 function misfit(state) {
     if (state.object !== 'scene') return 'The truth is of all spheres.';
     if (state.show !== 'shaded') return 'The truth is of shaded spheres.';
-    const { yaw, pitch } = facts.start;
-    if (Math.max(Math.abs(state.yaw - yaw), Math.abs(state.pitch - pitch)) > 1e-6)
-        return 'The truth was computed for one viewpoint.';
+    if (!atStart(state)) return 'The truth was computed for one viewpoint.';
     return undefined;
 }
 

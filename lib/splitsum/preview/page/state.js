@@ -29,7 +29,7 @@ const fields = {
     color: { initial: '#e6e6e6', read: (text) => `#${text}`.match(/^#[0-9a-f]{6}$/i)?.[0].toLowerCase() },
     show: choice('shaded', ['shaded', ...levelNames, 'irradiance', 'table']),
     background: choice(facts.start.background, [...levelNames, 'blurred', 'irradiance', 'none']),
-    exposure: number(facts.start.exposure, facts.start.exposure - 12, facts.start.exposure + 12),
+    exposure: number(facts.start.exposure, facts.start.exposure - 8, facts.start.exposure + 8),
     view: choice(facts.start.view, facts.views.map(({ name }) => name)),
     smooth: flag(true),
     compare: choice(facts.truth ? 'split' : 'off', ['off', 'split', 'difference']),
