@@ -28,17 +28,16 @@ function startServer() {
         server.listen(0, '127.0.0.1', () => resolve(server)));
 }
 
-/// Opens `page` (a file beside this one) and waits until it says that it is ready. `problems` collects
-/// what the page's console and the network complain about.
-export async function openPage(page) {
-    const server = await startServer();
-    const browser = await chromium.launch({
-        executablePath: process.env.SPLITSUM_CHROMIUM,
-        args: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
-        chromiumSandbox: process.getuid() !== 0, // Chromium refuses to use it as root
-        timeout: 120000,
-    });
-    const tab = await browser.newPage();
+/// A browser without a window, for tests beside this one too.
+export const openBrowser = () => chromium.launch({
+    executablePath: process.env.SPLITSUM_CHROMIUM,
+    args: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+    chromiumSandbox: process.getuid() !== 0, // Chromium refuses to use it as root
+    timeout: 120000,
+});
+
+/// A list that collects what the tab's console and the network complain about from now on.
+export function problemsOf(tab) {
     const problems = [];
     tab.on('console', (message) => {
         if (['error', 'warning'].includes(message.type())) problems.push(message.text());
@@ -47,6 +46,16 @@ export async function openPage(page) {
     tab.on('response', (response) => {
         if (response.status() >= 400) problems.push(`${response.status()} ${response.url()}`);
     });
+    return problems;
+}
+
+/// Opens `page` (a file beside this one) and waits until it says that it is ready. `problems` is that of
+/// problemsOf().
+export async function openPage(page) {
+    const server = await startServer();
+    const browser = await openBrowser();
+    const tab = await browser.newPage();
+    const problems = problemsOf(tab);
     await tab.goto(`http://127.0.0.1:${server.address().port}/${page}`);
     await tab.waitForFunction(() => globalThis.render !== undefined, null, { timeout: 120000 });
     return {

@@ -68,6 +68,9 @@ TEST_F(Quickstart, DrawsAPreviewBesideTheTruth) {
                              (folder_ / "out/lopsided/preview.png").string()),
               std::string::npos)
         << drawn.err;
+    EXPECT_NE(drawn.err.find((folder_ / "out/lopsided/preview.html").string()), std::string::npos)
+        << drawn.err;
+    EXPECT_TRUE(fs::exists(folder_ / "out/lopsided/preview.html"));
 }
 
 TEST_F(Quickstart, FindsPanoramasInFoldersAndDoesWithoutThoseItDoesNotSee) {

@@ -109,6 +109,12 @@ Result<Scene> SceneOptions::scene() const {
     return file_.empty() ? textbook_scene() : read_scene(file_);
 }
 
+std::string SceneOptions::note() const {
+    if (!file_.empty())
+        return cat("The objects of ", std::filesystem::path(file_).filename().string(), ".");
+    return "Above dielectrics, below metals, perceptual roughness 0 to 1 from left to right.";
+}
+
 ViewOptions::ViewOptions(CLI::App& app) : name(views().front().name) {
     app.add_option(
            "--view", name,
@@ -167,6 +173,7 @@ PreviewOptions::PreviewOptions(CLI::App& app)
       scene(app),
       view(app),
       reading(app, "", ReadingOptions::Exposure::none),
+      page(app),
       json(app) {}
 
 }  // namespace splitsum::tools

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "common/options.h"
+#include "page_file.h"
 #include "splitsum/base/result.h"
 #include "splitsum/preview/baked_files.h"
 #include "splitsum/preview/camera.h"
@@ -35,6 +36,7 @@ struct SceneOptions {
 
     /// Fails as read_scene does.
     Result<Scene> scene() const;
+    std::string note() const;  ///< what the objects are, in a sentence
     Viewpoint viewpoint() const { return viewpoint_; }
     Background background() const { return background_ ? Background::light : Background::black; }
 
@@ -85,6 +87,7 @@ struct PreviewOptions {
     SceneOptions scene;
     ViewOptions view;
     ReadingOptions reading;
+    PageOption page;
     JsonOption json;
 };
 

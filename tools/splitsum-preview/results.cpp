@@ -61,6 +61,7 @@ Json results_json(const PreviewResults& results) {
                  {"view", results.view},
                  {"exposure_stops", results.exposure_stops},
                  {"notes", results.notes}};
+    if (!results.page.empty()) json["page"] = results.page.string();
     json["spheres"] = Json::array();
     for (const SphereResult& sphere : results.spheres)
         json["spheres"].push_back(sphere_json(sphere));
@@ -110,6 +111,7 @@ void print_text(const PreviewResults& results) {
     if (results.pictures.size() > 1)
         std::cout << "pictures: " << join(results.pictures, ", ") << "\n";
     std::cout << results.file.string() << "\n";
+    if (!results.page.empty()) std::cout << results.page.string() << "\n";
 }
 
 }  // namespace

@@ -39,6 +39,7 @@ struct TruthResult {
 /// What a run of splitsum-preview comes to.
 struct PreviewResults {
     std::filesystem::path file;
+    std::filesystem::path page;         ///< empty if none was asked for
     std::vector<std::string> pictures;  ///< in the file: from top to bottom, or layers
     std::string view;
     double exposure_stops;

@@ -7,8 +7,10 @@
 #include "light/cubemap_tool.h"
 #include "picture_file.h"
 #include "results.h"
+#include "splitsum/base/atomic_file.h"
 #include "splitsum/base/text.h"
 #include "splitsum/preview/auto_exposure.h"
+#include "splitsum/preview/difference.h"
 #include "splitsum/preview/sphere_errors.h"
 #include "splitsum/preview/split_exact.h"
 
@@ -120,6 +122,7 @@ Result<PreviewResults> measure(const Drawing& drawing, const PreviewOptions& opt
                                Progress& progress) {
     PreviewResults results;
     results.file = options.output.path();
+    results.page = options.page.file;
     results.pictures = picture_names(pictures, results.file);
     results.view = options.view.name;
     results.exposure_stops = drawing.shown.exposure_stops;
@@ -141,11 +144,35 @@ Result<PreviewResults> measure(const Drawing& drawing, const PreviewOptions& opt
     return results;
 }
 
+Status write_page_file(const Drawing& drawing, const PreviewOptions& options,
+                       const Pictures& pictures, const PreviewResults& results) {
+    if (results.page.empty()) return ok;
+    Page page = page_of(drawing.baked, results);
+    page.scene = drawing.scene;
+    page.scene_note = options.scene.note();
+    page.viewpoint = options.scene.viewpoint();
+    page.background = options.scene.background();
+    page.exposure_stops = drawing.shown.exposure_stops;
+    page.view = options.view.name;
+    page.more_view = is_builtin(page.view) ? nullptr : &drawing.shown.view;
+    if (pictures.truth) {
+        page.truth->picture = &pictures.truth_image;
+        page.truth->least_luminance = least_luminance(*pictures.truth);
+    }
+    return write_page(page, results.page);
+}
+
+Status check_files(const PreviewOptions& options) {
+    if (const Status possible = check_picture_file(options.output.path()); !possible)
+        return possible;
+    return options.page.file.empty() ? ok : check_writable(options.page.file);
+}
+
 }  // namespace
 
 Result<ExitCode> run_preview(const PreviewOptions& options, Progress& progress) {
     const auto file = options.output.path();
-    if (const Status possible = check_picture_file(file); !possible) return possible.error();
+    if (const Status possible = check_files(options); !possible) return possible.error();
     const auto drawing = prepare(options);
     if (!drawing) return drawing.error();
     const auto source = read_source(options, drawing->baked, progress);
@@ -158,6 +185,8 @@ Result<ExitCode> run_preview(const PreviewOptions& options, Progress& progress) 
         return interrupted(*pictures, file);
     const auto results = measure(*drawing, options, *source, *pictures, progress);
     if (!results) return results.error();
+    if (const Status written = write_page_file(*drawing, options, *pictures, *results); !written)
+        return written.error();
     print(*results, options.json.json);
     return ExitCode::done;
 }

@@ -7,45 +7,18 @@
 #include <sstream>
 
 #include "splitsum/atlas/page_style_detail.h"
+#include "splitsum/base/base64.h"
+#include "splitsum/base/html_text.h"
 #include "splitsum/base/text.h"
 #include "splitsum/base/version.h"
 
 namespace splitsum {
 namespace {
 
-struct Escaped {
-    const std::string& text;
-};
-
-std::ostream& operator<<(std::ostream& out, const Escaped& escaped) {
-    for (const char c : escaped.text) switch (c) {
-            case '&': out << "&amp;"; break;
-            case '<': out << "&lt;"; break;
-            case '>': out << "&gt;"; break;
-            case '"': out << "&quot;"; break;
-            default: out << c;
-        }
-    return out;
-}
-
-std::string base64(const std::string& bytes) {
-    constexpr std::string_view digits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (size_t i = 0; i < bytes.size(); i += 3) {
-        uint32_t three = 0;
-        for (size_t k = 0; k < 3; ++k)
-            three = three << 8 | (i + k < bytes.size() ? static_cast<uint8_t>(bytes[i + k]) : 0u);
-        for (size_t k = 0; k < 4; ++k)
-            text += i + k <= bytes.size() ? digits[three >> (18 - 6 * k) & 63] : '=';
-    }
-    return text;
-}
-
 void print_image(std::ostream& out, const std::string& png, const std::string& of,
                  const char* attributes) {
     if (png.empty()) return;
-    out << "<img " << attributes << " alt=\"" << Escaped{of} << "\" src=\"data:image/png;base64,"
+    out << "<img " << attributes << " alt=\"" << html_text(of) << "\" src=\"data:image/png;base64,"
         << base64(png) << "\">";
 }
 
@@ -73,23 +46,23 @@ void print_cell(std::ostream& out, const AtlasCell& cell, const std::string& of)
     print_image(out, cell.png, of, "loading=lazy");
     out << sign_of(cell.verdict) << ' ';
     if (!cell.figures) {
-        out << Escaped{cell.text} << "</td>";
+        out << html_text(cell.text) << "</td>";
         return;
     }
     out << short_number(cell.figures->rel_rms) << "<small>max "
         << short_number(cell.figures->max_rel) << "</small><small>energy "
         << (cell.figures->bias > 0 ? "+" : "") << short_number(cell.figures->bias)
-        << "</small><small>" << Escaped{cell.text} << "</small></td>";
+        << "</small><small>" << html_text(cell.text) << "</small></td>";
 }
 
 void print_table(std::ostream& out, const AtlasEntry& entry) {
     const AtlasTable& table = entry.table;
     out << "<div class=scroll><table class=" << entry.id << "><thead><tr><th>" << table.row_kind
         << "</th>";
-    for (const std::string& column : table.columns) out << "<th>" << Escaped{column} << "</th>";
+    for (const std::string& column : table.columns) out << "<th>" << html_text(column) << "</th>";
     out << "</tr></thead><tbody>\n";
     for (const AtlasRow& row : table.rows) {
-        out << "<tr><th>" << Escaped{row.label} << "</th>";
+        out << "<tr><th>" << html_text(row.label) << "</th>";
         for (size_t i = 0; i < row.cells.size(); ++i)
             print_cell(out, row.cells[i], cat(row.label, ", ", table.columns[i]));
         out << "</tr>\n";
@@ -98,10 +71,10 @@ void print_table(std::ostream& out, const AtlasEntry& entry) {
 }
 
 void print_entry(std::ostream& out, const AtlasEntry& entry) {
-    out << "<section id=" << entry.id << "><h2>" << Escaped{entry.title} << "</h2>\n";
+    out << "<section id=" << entry.id << "><h2>" << html_text(entry.title) << "</h2>\n";
     print_image(out, entry.png, cat("the panorama of ", entry.id), "class=sky");
-    out << "<p><b>What goes wrong.</b> " << Escaped{entry.problem}
-        << "</p>\n<p><b>What happens here.</b> " << Escaped{entry.conduct} << "</p>\n";
+    out << "<p><b>What goes wrong.</b> " << html_text(entry.problem)
+        << "</p>\n<p><b>What happens here.</b> " << html_text(entry.conduct) << "</p>\n";
     print_table(out, entry);
     out << "</section>\n";
 }
@@ -115,7 +88,7 @@ void print_overview(std::ostream& out, const Atlas& atlas) {
         if (entry.table.rows.size() != atlas.plan.methods.size() ||
             entry.table.rows.front().label != atlas.plan.methods.front().name)
             continue;
-        out << "<tr><th><a href=\"#" << entry.id << "\">" << Escaped{entry.title} << "</a></th>";
+        out << "<tr><th><a href=\"#" << entry.id << "\">" << html_text(entry.title) << "</a></th>";
         for (const AtlasRow& row : entry.table.rows) {
             const Verdict worst = worst_of(row);
             out << "<td class=" << name_of(worst) << '>' << sign_of(worst) << ' ' << name_of(worst)
@@ -129,7 +102,7 @@ void print_overview(std::ostream& out, const Atlas& atlas) {
 void print_methods(std::ostream& out, const Atlas& atlas) {
     out << "<h2>The methods</h2>\n<div class=scroll><table><tbody>\n";
     for (const FilterMethod& method : atlas.plan.methods)
-        out << "<tr><th>" << method.name << "</th><td>" << Escaped{std::string(method.summary)}
+        out << "<tr><th>" << method.name << "</th><td>" << html_text(method.summary)
             << "</td></tr>\n";
     out << "</tbody></table></div>\n";
 }

@@ -3,9 +3,10 @@
 #include <iomanip>
 #include <sstream>
 
+#include "splitsum/base/base64.h"
+#include "splitsum/base/html_text.h"
 #include "splitsum/base/text.h"
 #include "splitsum/base/version.h"
-#include "splitsum/chart/base64.h"
 #include "splitsum/chart/plot_panel.h"
 
 namespace splitsum {
@@ -25,18 +26,6 @@ constexpr std::string_view style =
     "td:first-child,th:first-child{text-align:left}.front td{font-weight:600;background:#f2f2f2}"
     "dt{font-weight:600;margin-top:.5rem}dd{margin:0}";
 
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char letter : text) switch (letter) {
-            case '<': result += "&lt;"; break;
-            case '>': result += "&gt;"; break;
-            case '&': result += "&amp;"; break;
-            case '"': result += "&quot;"; break;
-            default: result += letter;
-        }
-    return result;
-}
-
 std::string number(double value, int digits = 2) {
     std::ostringstream text;
     text << std::setprecision(digits) << value;
@@ -52,7 +41,8 @@ std::string milliseconds(double value) {
 void add_conditions(std::ostream& out, const Chart& chart) {
     out << "<p>";
     for (const Chart::Source& source : chart.sources)
-        out << escaped(source.file) << " (" << source.width << "&times;" << source.height << "). ";
+        out << html_text(source.file) << " (" << source.width << "&times;" << source.height
+            << "). ";
     out << chart.threads << (chart.threads == 1 ? " thread" : " threads")
         << "; times are wall clock, the median of repeats after a run that warms up. Errors are "
            "against fp64 integration over every texel, at up to "
@@ -64,7 +54,7 @@ void add_conditions(std::ostream& out, const Chart& chart) {
 
 void add_row(std::ostream& out, const Measurement& row) {
     const ErrorFigures& figures = row.figures;
-    out << (row.on_front ? "<tr class=\"front\">" : "<tr>") << "<td>" << escaped(row.method)
+    out << (row.on_front ? "<tr class=\"front\">" : "<tr>") << "<td>" << html_text(row.method)
         << "</td><td>"
         << (row.effort_name.empty() ? "" : cat(row.effort_name, " ", number(row.effort, 6)))
         << "</td><td>" << milliseconds(row.milliseconds) << "</td><td>" << number(figures.rel_rms)
@@ -81,7 +71,7 @@ void add_table(std::ostream& out, const MeasuredPanel& panel) {
 }
 
 void add_picture(std::ostream& out, const InlinedPicture& picture) {
-    out << "<img alt=\"" << escaped(picture.caption) << "\" src=\"data:image/svg+xml;base64,"
+    out << "<img alt=\"" << html_text(picture.caption) << "\" src=\"data:image/svg+xml;base64,"
         << base64(picture.svg) << "\">\n";
 }
 
@@ -95,8 +85,8 @@ void add_panels(std::ostream& out, const Chart& chart,
         const MeasuredPanel& panel = chart.panels[i];
         out << "<figure>\n";
         if (i < pictures.size()) add_picture(out, pictures[i]);
-        out << "<figcaption><strong>" << escaped(title_of(panel.facts)) << ".</strong> "
-            << escaped(panel.facts.timed) << "</figcaption>\n";
+        out << "<figcaption><strong>" << html_text(title_of(panel.facts)) << ".</strong> "
+            << html_text(panel.facts.timed) << "</figcaption>\n";
         add_table(out, panel);
         out << "</figure>\n";
     }
@@ -111,7 +101,7 @@ void add_chains(std::ostream& out, const Chart& chart) {
         out << "<th>r " << error.range.from << "&ndash;" << error.range.to << "</th>";
     out << "</tr>\n";
     for (const StoredChain& chain : chart.storage) {
-        out << "<tr><td>" << escaped(chain.panorama) << "</td><td>" << chain.format << "</td><td>"
+        out << "<tr><td>" << html_text(chain.panorama) << "</td><td>" << chain.format << "</td><td>"
             << chain.face_size << "&sup2;</td><td>" << chain.levels << "</td><td>" << chain.bytes
             << "</td>";
         for (const ReconstructionError& error : chain.errors)
@@ -141,7 +131,8 @@ void add_storage(std::ostream& out, const Chart& chart,
 void add_notes(std::ostream& out, const Chart& chart) {
     out << "<h2>The methods</h2>\n<dl>\n";
     for (const MethodNote& note : chart.notes)
-        out << "<dt>" << escaped(note.name) << "</dt><dd>" << escaped(note.sentence) << "</dd>\n";
+        out << "<dt>" << html_text(note.name) << "</dt><dd>" << html_text(note.sentence)
+            << "</dd>\n";
     out << "</dl>\n";
 }
 
@@ -155,7 +146,7 @@ std::string chart_page(const Chart& chart, const std::vector<InlinedPicture>& pi
            "<title>Speed against accuracy</title>\n<style>"
         << style << "</style>\n</head>\n<body>\n<h1>Baking light: speed against accuracy</h1>\n";
     add_conditions(out, chart);
-    if (!missing.empty()) out << "<p><strong>" << escaped(missing) << "</strong></p>\n";
+    if (!missing.empty()) out << "<p><strong>" << html_text(missing) << "</strong></p>\n";
     add_panels(out, chart, pictures);
     add_storage(out, chart, pictures);
     add_notes(out, chart);

@@ -54,6 +54,9 @@ Status read_specular(const fs::path& path, BakedAssets& assets) {
     if (levels->size() != read->facts.perceptual_roughness.size())
         return unusable(path, cat("has ", levels->size(), " levels and names ",
                                   read->facts.perceptual_roughness.size(), " roughness values"));
+    auto certificate = certificate_of(read->texture.metadata);
+    if (!certificate) return unusable(path, certificate.error().message);
+    assets.certificate = std::move(*certificate);
     assets.light.specular = std::move(*levels);
     assets.light.curve = read->facts.curve;
     assets.facts = read->facts;

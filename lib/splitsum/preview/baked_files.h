@@ -1,12 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "splitsum/base/result.h"
 #include "splitsum/preview/baked_light.h"
 #include "splitsum/report/asset_facts.h"
+#include "splitsum/report/certificate.h"
 
 namespace splitsum {
 
@@ -25,8 +27,9 @@ BakedFiles files_of_bake(const std::filesystem::path& folder);
 /// The assets in them, as an engine holds them.
 struct BakedAssets {
     BakedLight light;
-    AssetFacts facts;                ///< of the specular chain
-    std::vector<std::string> notes;  ///< what people should know, a sentence each
+    AssetFacts facts;                        ///< of the specular chain
+    std::optional<Certificate> certificate;  ///< of the specular chain, where it has one
+    std::vector<std::string> notes;          ///< what people should know, a sentence each
 };
 
 /// Reads the files in any container and format; the stored conventions come from their metadata.

@@ -13,11 +13,15 @@ using Color = std::array<uint8_t, 3>;
 constexpr Color none = {255, 255, 255};
 constexpr Color too_bright = {176, 20, 32};
 constexpr Color too_dark = {22, 70, 168};
-constexpr Color background = {30, 31, 34};
+double luminance_at(const Image& picture, size_t pixel) {
+    const float* const p = picture.rgb.data() + 3 * pixel;
+    return luminance(Vec3d(p[0], p[1], p[2]));
+}
 
-constexpr double least_share = 0.01;
+}  // namespace
 
-double mean_luminance(const TruthPicture& truth) {
+double least_luminance(const TruthPicture& truth) {
+    constexpr double least_share = 0.01;
     double sum = 0;
     int64_t pixels = 0;
     for (size_t i = 0; i < truth.mean.size(); ++i)
@@ -25,15 +29,8 @@ double mean_luminance(const TruthPicture& truth) {
             sum += luminance(truth.mean[i]);
             ++pixels;
         }
-    return pixels > 0 ? sum / double(pixels) : 0;
+    return pixels > 0 ? least_share * sum / double(pixels) : 0;
 }
-
-double luminance_at(const Image& picture, size_t pixel) {
-    const float* const p = picture.rgb.data() + 3 * pixel;
-    return luminance(Vec3d(p[0], p[1], p[2]));
-}
-
-}  // namespace
 
 Color difference_color(double relative) {
     const double share = std::min(std::abs(relative) / full_difference, 1.0);
@@ -45,11 +42,11 @@ Color difference_color(double relative) {
 }
 
 std::vector<uint8_t> difference_picture(const Image& baked, const TruthPicture& truth) {
-    const double least = least_share * mean_luminance(truth);
+    const double least = least_luminance(truth);
     std::vector<uint8_t> bytes;
     bytes.reserve(3 * truth.mean.size());
     for (size_t i = 0; i < truth.mean.size(); ++i) {
-        Color color = background;
+        Color color = difference_background;
         if (truth.sphere_at[i] != TruthPicture::background) {
             const double exact = luminance(truth.mean[i]);
             const double floor = std::max(exact, least);

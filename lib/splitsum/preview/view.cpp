@@ -38,6 +38,10 @@ Error unknown_view(const std::string& name, const std::filesystem::path& ocio_co
 
 std::span<const ViewInfo> views() { return builtin_views; }
 
+bool is_builtin(std::string_view view) {
+    return std::ranges::find(builtin_views, view, &ViewInfo::name) != std::end(builtin_views);
+}
+
 Result<View> View::find(const std::string& name, const std::filesystem::path& ocio_config) {
     const auto curve = [](double (*encoded)(double)) {
         return View([encoded](std::span<float> rgb) {

@@ -22,6 +22,9 @@ struct ViewInfo {
 /// Every such view; the first is the default.
 std::span<const ViewInfo> views();
 
+/// Whether it is the name of one of them.
+bool is_builtin(std::string_view view);
+
 /// How scene-linear Rec.709 becomes what a screen is sent.
 class View {
 public:

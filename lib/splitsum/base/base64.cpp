@@ -1,4 +1,4 @@
-#include "splitsum/chart/base64.h"
+#include "splitsum/base/base64.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +9,7 @@ std::string base64(std::string_view bytes) {
     constexpr std::string_view digits =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
     for (size_t at = 0; at < bytes.size(); at += 3) {
         const std::string_view group = bytes.substr(at, 3);
         uint32_t bits = 0;

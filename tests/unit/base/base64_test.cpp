@@ -1,4 +1,4 @@
-#include "splitsum/chart/base64.h"
+#include "splitsum/base/base64.h"
 
 #include <gtest/gtest.h>
 
