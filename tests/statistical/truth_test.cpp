@@ -1,5 +1,5 @@
-// The truth that pictures are compared with: radiance of a surface by sampling is the integral of the
-// unsplit BRDF within its own standard error, and the standard error is what runs differ by.
+// The truth that pictures are compared with: radiance of a surface by sampling is the integral of
+// the unsplit BRDF within its own standard error, and the standard error is what runs differ by.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -165,8 +165,8 @@ TEST(Truth, TheTestNoticesWeightsThatDoNotAddUp) {
     }
 }
 
-// The squared standard error that a run states has replicates - 1 degrees of freedom of its own; its
-// mean over runs is what they differ by.
+// The squared standard error that a run states has replicates - 1 degrees of freedom of its own;
+// its mean over runs is what they differ by.
 TEST(Truth, KnowsItsStandardError) {
     constexpr uint32_t many = 512;
     for (const Subject& subject : subjects) {

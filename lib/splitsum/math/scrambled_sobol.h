@@ -39,10 +39,11 @@ inline uint32_t flipped_by_lower_bits(uint32_t bits, uint32_t key) {
 }  // namespace scrambled_sobol_detail
 
 /// Sobol's sequence in two dimensions, scrambled as Owen does it (1995, "Randomly Permuted
-/// (t,m,s)-Nets and (t,s)-Sequences") by hashes (Burley 2020, "Practical Hash-Based Owen Scrambling",
-/// JCGT 9(4)): in every block of 2^m points, m <= 32, each elementary interval of area 2^-m has one
-/// point. A last exclusive or with random bits makes every single point uniform, so that means over
-/// keys are unbiased. May be made longer at any time: point i does not depend on the number.
+/// (t,m,s)-Nets and (t,s)-Sequences") by hashes (Burley 2020, "Practical Hash-Based Owen
+/// Scrambling", JCGT 9(4)): in every block of 2^m points, m <= 32, each elementary interval of area
+/// 2^-m has one point. A last exclusive or with random bits makes every single point uniform, so
+/// that means over keys are unbiased. May be made longer at any time: point i does not depend on
+/// the number.
 class ScrambledSobol {
 public:
     struct Key {

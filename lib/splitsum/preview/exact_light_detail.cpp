@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "splitsum/filter/reference_probes.h"
+#include "splitsum/filter/spectral.h"
 #include "splitsum/verify/all_rows_detail.h"
 
 namespace splitsum {
@@ -32,7 +33,7 @@ ExactLight::ExactLight(const Environment& environment, const Scene& scene)
     for (const double alpha : alphas_) lobes.push_back({LobeKind::ggx, alpha});
     FilterPlan plan;
     plan.accuracy = 1e-5;  // the best that a plan allows
-    filter_ = filter_methods().front().prepare(FilterSource(environment), lobes, plan);
+    filter_ = prepare_spectral(FilterSource(environment), lobes, plan);
 }
 
 std::vector<SplitLight> ExactLight::at(std::span<const Surface> surfaces) const {

@@ -23,7 +23,9 @@ struct SplitLight {
 };
 
 /// Light filtered for the materials of a scene, at any direction: what a chain of endlessly many
-/// texels with a level for each material would hold, within 1e-5 of the whole (`auto`).
+/// texels with a level for each material would hold. By `spectral`, asked for 1e-5 of the whole,
+/// which it may miss under a sun of one texel; `auto` would then fall back to `reference`, minutes
+/// a sphere.
 class ExactLight {
 public:
     /// `environment` must outlive it.

@@ -10,8 +10,9 @@ namespace splitsum {
 
 /// A difference from a noisy truth, with the truth's noise taken out of it.
 struct NoisyFigures {
-    /// sqrt(sum (x - t)² - v) / sqrt(sum t² - v) over pixels and channels, with v the squared standard
-    /// error of t: what ErrorFigures::rel_rms would be without noise; 0 where noise explains all.
+    /// sqrt(sum (x - t)² - v) / sqrt(sum t² - v) over pixels and channels, with v the squared
+    /// standard error of t: what ErrorFigures::rel_rms would be without noise; 0 where noise
+    /// explains all.
     double rel_rms = 0;
     double bias = 0;   ///< sum x / sum t - 1
     double noise = 0;  ///< sqrt(sum v / sum t²): of the truth at the same pixels
@@ -23,8 +24,8 @@ struct SphereErrors {
     /// (a) The baked data alone, texels, levels, formats and table: the baked picture against the
     /// exact split sum.
     ErrorFigures baked_data;
-    /// (b) The split-sum approximation alone, which no bake can help: the exact split sum against the
-    /// truth.
+    /// (b) The split-sum approximation alone, which no bake can help: the exact split sum against
+    /// the truth.
     NoisyFigures approximation;
     /// Both together: the baked picture against the truth.
     NoisyFigures together;

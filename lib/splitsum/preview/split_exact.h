@@ -18,14 +18,15 @@ struct SplitExact {
         checked;  ///< of `radiance` against fp64 integration over every texel of the panorama
 };
 
-/// The split sum with nothing stored: at every pixel prefiltered light towards the mirror direction at
-/// the sphere's own roughness, the exact split sum of the view, and irradiance. Light is filtered as
-/// `auto` does with an accuracy of 1e-5 (filter/methods.h), at the directions themselves instead of
-/// texels; `checks` pixels of each sphere, evenly spread, are compared with `reference`.
+/// The split sum with nothing stored: at every pixel prefiltered light towards the mirror direction
+/// at the sphere's own roughness, the exact split sum of the view, and irradiance. Light is
+/// filtered by `spectral` with an accuracy of 1e-5 (filter/methods.h), at the directions themselves
+/// instead of texels. How exact that is, is measured: `checks` pixels of each sphere, evenly
+/// spread, are compared with `reference`.
 ///
 /// Prefiltered light of a perfect mirror is the radiance of the panorama's texel in that direction,
-/// the limit of narrow lobes. The level 0 of a chain holds means over the cube's texels instead, and
-/// an engine reads between these: what a mirror loses by that is an error of the baked data.
+/// the limit of narrow lobes. The level 0 of a chain holds means over the cube's texels instead,
+/// and an engine reads between these: what a mirror loses by that is an error of the baked data.
 ///
 /// Cost: 0.5 s for a 1024 x 512 panorama on two cores where perceptual roughness is above 0.1 or 0,
 /// some seconds below, and 1 to 2 ms a check on one core. Progress: the stages "filtering" and

@@ -33,13 +33,12 @@ struct TruthPicture {
     int height = 0;
     std::vector<int> sphere_at;  ///< index into the scene, or background
     std::vector<Vec3> mean;      ///< radiance; 0 in the background and where nothing was drawn yet
-    std::vector<Vec3>
-        standard_error;  ///< of mean; 0 where it is exact, infinite where nothing was drawn yet
-    std::vector<int64_t> samples;  ///< directions drawn; 0 where it is exact
+    std::vector<Vec3> standard_error;  ///< of mean; 0 where exact, infinite where not yet drawn
+    std::vector<int64_t> samples;      ///< directions drawn; 0 where it is exact
 
-    /// The mean over sampled pixels of s / max(Y, 1 % of the mean Y of all spheres' pixels), with Y the
-    /// luminance and s its standard error; 0 where nothing needed samples. Infinite as long as a
-    /// pixel is missing.
+    /// The mean over sampled pixels of s / max(Y, 1 % of the mean Y of all spheres' pixels), with Y
+    /// the luminance and s its standard error (its root taken without bias); 0 where nothing needed
+    /// samples. Infinite as long as a pixel is missing.
     double noise = 0;
     int passes = 0;
     int64_t total_samples = 0;
@@ -52,9 +51,10 @@ struct TruthPicture {
 /// whose noise gains most by it. Which tiles these are depends on what was found before, and on
 /// nothing else: the same picture for every number of threads, unless it is cut short.
 ///
-/// Cancelled or out of time, it gives the picture so far. Progress: the stage "integrating", in equal
-/// steps of (plan.noise / noise)², the share of the samples that random points would have needed.
-/// Memory: 250 bytes a pixel of spheres. `panorama_from_cube`: sphere/orientation.h.
+/// Cancelled or out of time, it gives the picture so far. Progress: the stage "integrating", in
+/// equal steps of (plan.noise / noise)², the share of the samples that random points would have
+/// needed. Memory: 300 bytes a pixel of spheres. Stopping waits for the doubling of a pixel, at
+/// most about a second. `panorama_from_cube`: sphere/orientation.h.
 TruthPicture truth_picture(const Scene& scene, const Camera& camera, const Environment& environment,
                            const Mat3d& panorama_from_cube, const TruthPlan& plan,
                            Progress& progress);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "splitsum/filter/mis_light.h"
@@ -23,8 +22,8 @@ struct TruthPixel {
 };
 
 /// Pixels of one sphere that are near each other, and get the same number of points: whether they
-/// need more is judged by all of them together, because a pixel that goes on until it thinks that it
-/// is good stops where it flatters itself.
+/// need more is judged by all of them together, because a pixel that goes on until it thinks that
+/// it is good stops where it flatters itself.
 struct TruthTile {
     size_t begin, end;    ///< in the list of pixels
     uint32_t points = 0;  ///< of each replicate of each pixel
@@ -44,8 +43,8 @@ struct TruthPixels {
 TruthPixels truth_pixels(const Scene& scene, const Camera& camera, const SphereSurfaces& surfaces,
                          const LightSampler& light);
 
-/// The relative standard error of a pixel, as TruthPicture::noise has it. `least` is the luminance that
-/// darker pixels count as.
+/// The relative standard error of a pixel, as TruthPicture::noise has it. `least` is the luminance
+/// that darker pixels count as.
 double noise_of(const TruthPixel& pixel, double least);
 
 /// What darker pixels count as: 1 % of the mean luminance of all.

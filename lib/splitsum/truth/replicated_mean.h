@@ -27,10 +27,10 @@ private:
 };
 
 /// The mean of SurfaceLight::estimate over points that are evenly spread (math/scrambled_sobol.h),
-/// and an honest standard error: several independent sequences, the replicates, each give an unbiased
-/// mean, and their spread says how far off the mean of all may be. The error is smaller than that of
-/// as many random points, and the estimate is of this error, with replicates - 1 degrees of freedom.
-/// What SurfaceLight knows in closed form is not in it.
+/// and an honest standard error: several independent sequences, the replicates, each give an
+/// unbiased mean, and their spread says how far off the mean of all may be. The error is smaller
+/// than that of as many random points, and the estimate is of this error, with replicates - 1
+/// degrees of freedom. What SurfaceLight knows in closed form is not in it.
 class ReplicatedMean {
 public:
     static constexpr uint32_t replicates = 8;

@@ -16,14 +16,14 @@ struct SurfacePoints {
     Vec2d lobe, cosine, light;
 };
 
-/// Radiance from a point of a surface towards the viewer, ∫ f n·l L dl (f: unsplit_brdf.h), as a part
-/// in closed form and a part to be sampled.
+/// Radiance from a point of a surface towards the viewer, ∫ f n·l L dl (f: unsplit_brdf.h), as a
+/// part in closed form and a part to be sampled.
 ///
-/// In closed form are the floor of the light (mis_light.h) times what the surface reflects of uniform
-/// light, and the mirror image, of a mirror. The rest is estimated by multiple importance sampling
-/// (Veach & Guibas 1995) from three densities: reflections at visible normals, the cosine, which
-/// metals do without, and the light. A direction l drawn from density p_i counts with a share w_i(l)
-/// of f n·l L / p_i, and the shares of all densities at one direction add up to 1.
+/// In closed form are the floor of the light (mis_light.h) times what the surface reflects of
+/// uniform light, and the mirror image, of a mirror. The rest is estimated by multiple importance
+/// sampling (Veach & Guibas 1995) from three densities: reflections at visible normals, the cosine,
+/// which metals do without, and the light. A direction l drawn from density p_i counts with a share
+/// w_i(l) of f n·l L / p_i, and the shares of all densities at one direction add up to 1.
 class SurfaceLight {
 public:
     /// `surface` is in panorama space. `light` must outlive this.
@@ -38,8 +38,9 @@ public:
         return light_.is_flat() || of_surface == 0 ? 0 : of_surface + 1;
     }
 
-    /// An estimate of the rest, not of an exact surface: unbiased for points that are uniform each. `share` is that of mis_estimate.h, share(own, other): PowerShare is right.
-    /// Cost: about 0.3 microseconds.
+    /// An estimate of the rest, not of an exact surface: unbiased for points that are uniform each.
+    /// `share` is that of mis_estimate.h, share(own, other): PowerShare is right. Cost: about 0.2
+    /// microseconds a direction.
     template <class Share>
     Vec3d estimate(const SurfacePoints& points, const Share& share) const {
         Vec3d sum(0);

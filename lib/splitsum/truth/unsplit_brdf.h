@@ -10,21 +10,22 @@ namespace splitsum {
 ///
 ///     f = C D V F(v·h) + A / pi:   GGX, height-correlated Smith, Schlick's Fresnel,
 ///
-/// where compensation C and diffuse albedo A are response_of() the exact split sum at this view. So f
-/// n·l integrates to reflectance + diffuse_albedo exactly, and under uniform light the split sum and
-/// this are the same. Directions are unit vectors in the surface's frame, +z its normal.
+/// where compensation C and diffuse albedo A are response_of() the exact split sum at this view. So
+/// f n·l integrates to reflectance + diffuse_albedo exactly, and under uniform light the split sum
+/// and this are the same. Directions are unit vectors in the surface's frame, +z its normal.
 class UnsplitBrdf {
 public:
-    /// Of a surface of this `alpha`, in (0, 1], or 0: then the reflection is a perfect mirror's, which
-    /// no direction but one has a share in, and only f = A / pi is left here. `view`.z in [0, 1].
+    /// Of a surface of this `alpha`, in (0, 1], or 0: then the reflection is a perfect mirror's,
+    /// which no direction but one has a share in, and only f = A / pi is left here. `view`.z is in
+    /// [0, 1].
     UnsplitBrdf(double alpha, const Vec3d& view, const SurfaceResponse& response);
 
-    /// f n·l towards a direction, and how likely each way of sampling is to choose it, per steradian.
+    /// f n·l towards a direction, and how likely each way of sampling is to choose it, per
+    /// steradian.
     struct Value {
         Vec3d reflected{0};
-        double lobe_pdf = 0;  ///< of reflections at visible normals
-        double cosine_pdf =
-            0;  ///< of cosine_direction_pdf; 0 of metals, which need not draw from it
+        double lobe_pdf = 0;    ///< of reflections at visible normals
+        double cosine_pdf = 0;  ///< of cosine_direction_pdf; 0 of metals: nothing to draw for
     };
 
     /// Nothing below the horizon. `half` is the unit vector half way between the view and `light`:

@@ -4,20 +4,21 @@
 
 #include "splitsum/base/parallel.h"
 #include "splitsum/filter/filter_cubemap.h"
+#include "splitsum/filter/spectral.h"
 #include "splitsum/preview/baked_light.h"
 #include "splitsum/table/split_sum_exact.h"
 
 namespace splitsum::tests {
 
-/// Environment light as a bake would store it in floats, with `levels` levels of `face_size` texels, each half
-/// as large as the one before, and an exact table of 32² texels.
+/// Environment light as a bake would store it in floats, with `levels` levels of `face_size`
+/// texels, each half as large as the one before, and an exact table of 32² texels.
 inline BakedLight baked(const Environment& environment, const Mat3d& panorama_from_cube,
                         int face_size, int levels) {
     NoProgress progress;
     std::vector<Lobe> lobes = {{LobeKind::cosine}};
     for (const double r : roughness_of_levels({}, levels))
-        lobes.push_back({LobeKind::ggx, std::max(r * r, 1e-3)});  // nearly a mirror
-    const auto filter = filter_methods().front().prepare(FilterSource(environment), lobes, {});
+        lobes.push_back({LobeKind::ggx, std::max(r * r, 0.01)});  // nearly a mirror
+    const auto filter = prepare_spectral(FilterSource(environment), lobes, {});
     const auto cubemap = [&](size_t lobe, int size) {
         return filter_cubemap(*filter, lobe, size, panorama_from_cube, 0, progress)->cubemap;
     };
