@@ -12,10 +12,10 @@ let plain; // without a truth
 let compared;
 before(async () => {
     browser = await openBrowser();
-    const assets = baked('controls', 'lopsided', '--size', '64');
-    plain = preview('controls', assets).url;
-    compared = preview('controls_truth', assets, '--size', '256x128', '--panorama', panorama('lopsided'),
-        '--truth', '--noise', '0.3', '--probes', '4').url;
+    const assets = await baked('controls', 'lopsided', '--size', '64');
+    ({ url: plain } = await preview('controls', assets));
+    ({ url: compared } = await preview('controls_truth', assets, '--size', '256x128',
+        '--panorama', panorama('lopsided'), '--truth', '--noise', '0.3', '--probes', '4'));
 });
 after(() => browser?.close());
 
@@ -121,7 +121,7 @@ test('dragging takes the background along, by pointer and by touch', async () =>
 });
 
 test('every control changes the picture', async () => {
-    const { tab, problems, close } = await openFile(browser, `${plain}#object=sphere`);
+    const { tab, problems, close } = await openFile(browser, `${plain}#object=sphere&smooth=0`);
     let last = await shownNow(tab);
     const changes = async (what, use) => {
         const address = tab.url();

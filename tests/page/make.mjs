@@ -1,9 +1,10 @@
 // Pages and pictures of the same light by splitsum-preview, made when a test asks for them.
 
-import { execFileSync } from 'node:child_process';
+import { execFile } from 'node:child_process';
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
+import { promisify } from 'node:util';
 
 import { readPng } from './png.mjs';
 
@@ -14,29 +15,28 @@ const panoramas = process.env.SPLITSUM_PANORAMAS;
 export const folder = fileURLToPath(new URL('./made/', import.meta.url));
 mkdirSync(folder, { recursive: true });
 
-/// Runs one of our programs; what it prints.
-export const run = (program, ...options) =>
-    execFileSync(join(programs, program), [...options, '--quiet'], { stdio: ['ignore', 'pipe', 'inherit'] });
+const execute = promisify(execFile);
+const run = (program, ...options) => execute(join(programs, program), [...options.map(String), '--quiet']);
 
 export const panorama = (name) => join(panoramas, `${name}.exr`);
 
 /// The folder of a panorama's assets. Each combination of options needs a `name` of its own.
-export function baked(name, of, ...options) {
+export async function baked(name, of, ...options) {
     const place = join(folder, name);
-    run('splitsum-bake', panorama(of), '-o', place, '--no-verify', ...options);
+    await run('splitsum-bake', panorama(of), '-o', place, '--no-verify', ...options);
     return join(place, of);
 }
 
 /// Writes `name`.html and `name`.png of assets; { url, picture } of them.
-export function preview(name, assets, ...options) {
+export async function preview(name, assets, ...options) {
     const [png, html] = [join(folder, `${name}.png`), join(folder, `${name}.html`)];
-    run('splitsum-preview', assets, '-o', png, '--html', html, ...options);
+    await run('splitsum-preview', assets, '-o', png, '--html', html, ...options);
     return { url: pathToFileURL(html).href, picture: readPng(png) };
 }
 
 /// The picture alone.
-export function picture(name, assets, ...options) {
+export async function picture(name, assets, ...options) {
     const png = join(folder, `${name}.png`);
-    run('splitsum-preview', assets, '-o', png, ...options);
+    await run('splitsum-preview', assets, '-o', png, ...options);
     return readPng(png);
 }

@@ -28,13 +28,12 @@ const lights = [
     { of: 'studio', stored: ['--format', 'rgb9e5'] },
     { of: 'lopsided', stored: ['--format', 'b10g11r11', '--levels', '5', '--roughness', '0,0.1,0.3,0.6,1'] },
 ];
-const orbits = [{ yaw: 0, pitch: 0 }, { yaw: -130, pitch: 35 }];
+const cases = [{ yaw: 0, pitch: 0 }, { yaw: -130, pitch: 35 }].flatMap((orbit) =>
+    Object.keys(limits).map((view) => ({ ...orbit, view })));
 
 let browser;
 before(async () => { browser = await openBrowser(); });
 after(() => browser?.close());
-
-const orbitOptions = ({ yaw, pitch }) => ['--yaw', yaw, '--pitch', pitch];
 
 function assertNear(found, expected, { mean, worstPercent }) {
     const off = difference(found, expected);
@@ -43,20 +42,20 @@ function assertNear(found, expected, { mean, worstPercent }) {
 
 for (const { of, stored } of lights)
     test(`${of}: every view from two sides, ${stored[1]}`, async () => {
-        const assets = baked(`picture_${of}`, of, ...stored);
-        const { url } = preview(`picture_${of}`, assets, ...sizeOption);
+        const assets = await baked(`picture_${of}`, of, ...stored);
+        const { url } = await preview(`picture_${of}`, assets, ...sizeOption);
         const { tab, problems, close } = await openFile(browser, url);
-        for (const orbit of orbits)
-            for (const [view, limit] of Object.entries(limits)) {
-                const expected = picture(`picture_${of}_cpu`, assets, ...sizeOption, ...orbitOptions(orbit), '--view', view);
-                assertNear(await pixelsOf(tab, { ...size, ...orbit, view }), expected, limit);
-            }
+        await Promise.all(cases.map(async (state, i) => {
+            const expected = await picture(`picture_${of}_${i}`, assets, ...sizeOption, '--yaw', state.yaw,
+                '--pitch', state.pitch, '--view', state.view);
+            assertNear(await pixelsOf(tab, { ...size, ...state }), expected, limits[state.view]);
+        }));
         assert.deepEqual(problems, []);
         await close();
     });
 
 test('objects of a file, their names, another exposure, and no background', async () => {
-    const assets = baked('picture_file', 'lopsided');
+    const assets = await baked('picture_file', 'lopsided');
     const name = '</script><script>alert(1)</script> & "\u00fc" {{facts}} <!-- <script>';
     const scene = join(folder, 'picture_scene.json');
     writeFileSync(scene, JSON.stringify({
@@ -67,7 +66,7 @@ test('objects of a file, their names, another exposure, and no background', asyn
         ],
     }));
     const options = ['--scene', scene, '--size', '256x320', '--exposure', '1.5', '--no-background', '--view', 'filmic', '--yaw', '75'];
-    const { url, picture: expected } = preview('picture_file', assets, ...options,
+    const { url, picture: expected } = await preview('picture_file', assets, ...options,
         '--panorama', panorama('lopsided'), '--truth', '--noise', '0.3', '--probes', '1');
     const { tab, problems, close } = await openFile(browser, url);
     const found = await pixelsOf(tab, { width: 256, height: 320 });
@@ -79,14 +78,14 @@ test('objects of a file, their names, another exposure, and no background', asyn
 });
 
 test('one sphere is that of a file with one', async () => {
-    const assets = baked('picture_one', 'studio');
+    const assets = await baked('picture_one', 'studio');
     const scene = join(folder, 'picture_one.json');
     // #d4af37 is [0.658, 0.428, 0.0382] in linear light (IEC 61966-2-1).
     writeFileSync(scene, JSON.stringify({
         spheres: [{ centre: [0, 0, 0], base_color: [0.65837482, 0.42869050, 0.03820437], metalness: 0.8, perceptual_roughness: 0.35 }],
     }));
-    const expected = picture('picture_one_cpu', assets, ...sizeOption, '--scene', scene, '--view', 'srgb');
-    const { url } = preview('picture_one', assets);
+    const expected = await picture('picture_one_cpu', assets, ...sizeOption, '--scene', scene, '--view', 'srgb');
+    const { url } = await preview('picture_one', assets);
     const { tab, close } = await openFile(browser, url);
     const found = await pixelsOf(tab, {
         ...size, view: 'srgb', object: 'sphere', color: 'd4af37', metalness: 0.8, perceptual_roughness: 0.35,
@@ -97,8 +96,8 @@ test('one sphere is that of a file with one', async () => {
 
 // splitsum-preview draws baked light, the truth and the difference below each other.
 test('the truth and the difference are those of the picture', async () => {
-    const assets = baked('picture_truth', 'sunset');
-    const { url, picture: three } = preview('picture_truth', assets, ...sizeOption, '--view', 'srgb',
+    const assets = await baked('picture_truth', 'sunset');
+    const { url, picture: three } = await preview('picture_truth', assets, ...sizeOption, '--view', 'srgb',
         '--panorama', panorama('sunset'), '--truth', '--noise', '0.1', '--probes', '1', '--yaw', '-40');
     const { tab, problems, close } = await openFile(browser, url);
     const part = (index) => {
@@ -124,9 +123,9 @@ test('the truth and the difference are those of the picture', async () => {
 });
 
 test('turned the other way, another level or another view would be noticed', async () => {
-    const assets = baked('picture_wrong', 'lopsided');
-    const expected = picture('picture_wrong_cpu', assets, ...sizeOption, '--yaw', '25', '--view', 'filmic');
-    const { url } = preview('picture_wrong', assets);
+    const assets = await baked('picture_wrong', 'lopsided');
+    const expected = await picture('picture_wrong_cpu', assets, ...sizeOption, '--yaw', '25', '--view', 'filmic');
+    const { url } = await preview('picture_wrong', assets);
     const { tab, close } = await openFile(browser, url);
     const state = { ...size, yaw: 25, view: 'filmic' };
     assertNear(await pixelsOf(tab, state), expected, limits.filmic);

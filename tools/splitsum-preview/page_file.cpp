@@ -1,6 +1,7 @@
 #include "page_file.h"
 
 #include <array>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -88,10 +89,13 @@ PageTable sphere_table(const PreviewResults& results) {
 }
 
 std::string truth_note(const TruthResult& truth) {
+    const std::string noise =
+        std::isfinite(truth.noise)
+            ? cat("The mean relative standard error of a pixel is ",
+                  with_digits(100 * truth.noise, 2), " %.")
+            : std::string("Where it is black, the time was too short for a first estimate.");
     return cat("The unsplit BRDF, integrated under the panorama itself with ",
-               (truth.samples + 500000) / 1000000,
-               " million directions. The mean relative standard error of a pixel is ",
-               with_digits(100 * truth.noise, 2), " %.");
+               (truth.samples + 500000) / 1000000, " million directions. ", noise);
 }
 
 }  // namespace
