@@ -59,7 +59,7 @@ protected:
 TEST_F(Quickstart, DrawsAPreviewBesideTheTruth) {
     const std::string file = panoramas + "/lopsided.exr";
     bake({file});
-    const ProgramResult drawn = run(R"(draw_previews "$out" "$@"; name_results "$out")",
+    const ProgramResult drawn = run(R"(draw_previews "$out" "$@"; name_results "$out" "$@")",
                                     {file, "-o", (folder_ / "out").string()});
     EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
     EXPECT_EQ(drawn.out, "");
@@ -84,16 +84,25 @@ TEST_F(Quickstart, FindsPanoramasInFoldersAndDoesWithoutThoseItDoesNotSee) {
     EXPECT_EQ(preview_height("lopsided"), 320u);
 }
 
-TEST_F(Quickstart, LeavesOlderBakesAlone) {
-    bake({panoramas + "/lopsided.exr"});
-    write_bytes(folder_ / "log", "built after the bake");
+// Of what was baked before only what is named, and where a preview is missing.
+TEST_F(Quickstart, LeavesOlderBakesAloneUnlessTheyAreNamed) {
+    const std::string named = panoramas + "/lopsided.exr";
+    bake({named, panoramas + "/one_texel.exr"});
     fs::last_write_time(folder_ / "log",
                         fs::file_time_type::clock::now() + std::chrono::seconds(10));
-    const ProgramResult drawn =
-        run(R"(draw_previews "$out" "$@"; name_results "$out")", {panoramas + "/lopsided.exr"});
-    EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
-    EXPECT_EQ(drawn.err, "");
-    EXPECT_FALSE(fs::exists(folder_ / "out/lopsided/preview.png"));
+    const std::string functions = R"(draw_previews "$out" "$@"; name_results "$out" "$@")";
+    const ProgramResult none = run(functions, {"--manifest", "a.toml"});
+    EXPECT_EQ(none.exit_code, 0) << none.err;
+    EXPECT_EQ(none.err, "");
+    EXPECT_EQ(run(functions, {named}).exit_code, 0);
+    EXPECT_EQ(preview_height("lopsided"), 960u);
+    EXPECT_FALSE(fs::exists(folder_ / "out/one_texel/preview.png"));
+
+    write_bytes(folder_ / "out/lopsided/preview.png", "kept");
+    const ProgramResult again = run(functions, {named});
+    EXPECT_EQ(bytes_of(folder_ / "out/lopsided/preview.png"), "kept");
+    EXPECT_NE(again.err.find((folder_ / "out/lopsided/preview.png").string()), std::string::npos)
+        << again.err;
 }
 
 TEST_F(Quickstart, ReadsThePanoramaAsTheBakeDid) {

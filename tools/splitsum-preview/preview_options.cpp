@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "splitsum/base/text.h"
+#include "splitsum/preview/auto_yaw.h"
 #include "splitsum/preview/scene_file.h"
 #include "splitsum/preview/view.h"
 
@@ -33,25 +34,20 @@ CLI::Validator picture_size() {
         "");
 }
 
-CLI::Validator stops_or_auto() {
-    const CLI::Validator number = finite_number(-64, 64);
+// A finite number of `what` within the limit, or "auto".
+CLI::Validator auto_or_number(double limit, const std::string& what) {
+    const CLI::Validator number = finite_number(-limit, limit);
     return CLI::Validator(
-        [number](std::string& text) -> std::string {
+        [=](std::string& text) -> std::string {
             if (text == "auto" || number(text).empty()) return {};
-            return cat("'", text, "' is neither auto nor a number of stops from -64 to 64");
+            return cat("'", text, "' is neither auto nor a number of ", what, " from -", limit,
+                       " to ", limit);
         },
         "");
 }
 
 void add_file(CLI::App& app, const std::string& name, std::string& value, const std::string& text) {
     app.add_option(name, value, text)->option_text("FILE")->check(not_empty());
-}
-
-void add_angle(CLI::App& app, const std::string& name, double& value, double limit,
-               const std::string& text) {
-    app.add_option(name, value, cat(text, ", -", limit, " to ", limit, " (default ", value, ")"))
-        ->option_text("DEGREES")
-        ->check(finite_number(-limit, limit));
 }
 
 std::vector<Choice> view_choices() { return choices_of(views()); }
@@ -98,11 +94,23 @@ SceneOptions::SceneOptions(CLI::App& app) {
            "pixels of each picture (default 1024x512)")
         ->option_text("WIDTHxHEIGHT")
         ->check(picture_size());
-    add_angle(app, "--yaw", viewpoint_.yaw_degrees, 36000,
-              "turn the view about +y, from +z towards +x");
-    add_angle(app, "--pitch", viewpoint_.pitch_degrees, 90, "then look up by this");
+    app.add_option("--yaw", yaw_,
+                   "turn the view about +y, from +z towards +x, -36000 to 36000 (default 0); auto: "
+                   "until most\nlight comes from the left")
+        ->option_text("DEGREES|auto")
+        ->check(auto_or_number(36000, "degrees"));
+    app.add_option("--pitch", viewpoint_.pitch_degrees,
+                   "then look up by this, -90 to 90 (default 0)")
+        ->option_text("DEGREES")
+        ->check(finite_number(-90, 90));
     app.add_flag("--background,!--no-background", background_,
                  "show the light behind the objects (the default), or black");
+}
+
+Viewpoint SceneOptions::viewpoint(const Cubemap& irradiance) const {
+    Viewpoint viewpoint = viewpoint_;
+    viewpoint.yaw_degrees = yaw_ == "auto" ? auto_yaw_degrees(irradiance) : std::stod(yaw_);
+    return viewpoint;
 }
 
 Result<Scene> SceneOptions::scene() const {
@@ -125,7 +133,7 @@ ViewOptions::ViewOptions(CLI::App& app) : name(views().front().name) {
     app.add_option("--exposure", exposure_,
                    "multiply what a PNG shows by 2^STOPS, -64 to 64 (default auto: by the light)")
         ->option_text("auto|STOPS")
-        ->check(stops_or_auto());
+        ->check(auto_or_number(64, "stops"));
 }
 
 std::optional<double> ViewOptions::exposure_stops() const {

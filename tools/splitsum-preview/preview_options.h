@@ -37,12 +37,13 @@ struct SceneOptions {
     /// Fails as read_scene does.
     Result<Scene> scene() const;
     std::string note() const;  ///< what the objects are, in a sentence
-    Viewpoint viewpoint() const { return viewpoint_; }
+    Viewpoint viewpoint(const Cubemap& irradiance) const;
     Background background() const { return background_ ? Background::light : Background::black; }
 
 private:
     std::string file_;
-    Viewpoint viewpoint_;
+    std::string yaw_ = "0";
+    Viewpoint viewpoint_;  // but for the yaw
     bool background_ = true;
 };
 

@@ -47,6 +47,17 @@ const char* name_of(TruthEnd end) {
     return "";
 }
 
+// Nothing to add where the noise that was asked for was reached.
+const char* ending_of(TruthEnd end) {
+    switch (end) {
+        case TruthEnd::noise_reached: return "";
+        case TruthEnd::out_of_time: return "; then the time was up";
+        case TruthEnd::cancelled: return "; then it was interrupted";
+        case TruthEnd::out_of_points: return "; there are no more points to take";
+    }
+    return "";
+}
+
 Json truth_json(const TruthResult& truth) {
     return {{"noise", truth.noise},
             {"samples", truth.samples},
@@ -60,6 +71,7 @@ Json results_json(const PreviewResults& results) {
                  {"pictures", results.pictures},
                  {"view", results.view},
                  {"exposure_stops", results.exposure_stops},
+                 {"yaw_degrees", results.yaw_degrees},
                  {"notes", results.notes}};
     if (!results.page.empty()) json["page"] = results.page.string();
     json["spheres"] = Json::array();
@@ -106,8 +118,8 @@ void print_text(const PreviewResults& results) {
     print_spheres(results);
     if (results.truth)
         std::cout << cat("The truth has a mean relative standard error of ", results.truth->noise,
-                         " (", name_of(results.truth->end), ", ", results.truth->samples,
-                         " samples).\n");
+                         " after ", results.truth->samples, " directions",
+                         ending_of(results.truth->end), ".\n");
     if (results.pictures.size() > 1)
         std::cout << "pictures: " << join(results.pictures, ", ") << "\n";
     std::cout << results.file.string() << "\n";

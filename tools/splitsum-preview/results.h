@@ -42,6 +42,7 @@ struct PreviewResults {
     std::filesystem::path page;         ///< empty if none was asked for
     std::vector<std::string> pictures;  ///< in the file: from top to bottom, or layers
     std::string view;
+    double yaw_degrees = 0;
     double exposure_stops;
     std::vector<SphereResult> spheres;
     std::optional<TruthResult> truth;

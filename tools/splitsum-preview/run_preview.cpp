@@ -20,6 +20,7 @@ namespace {
 /// What is drawn, and how it is shown.
 struct Drawing {
     Scene scene;
+    Viewpoint viewpoint;
     Camera camera;
     BakedAssets baked;
     Shown shown;
@@ -36,8 +37,9 @@ Result<Drawing> prepare(const PreviewOptions& options) {
     if (!baked) return baked.error();
     const double exposure_stops =
         options.view.exposure_stops().value_or(auto_exposure_stops(baked->light.specular.front()));
-    const Camera camera = camera_for(*scene, options.scene.viewpoint());
-    return Drawing{std::move(*scene), camera, std::move(*baked),
+    const Viewpoint viewpoint = options.scene.viewpoint(baked->light.irradiance);
+    const Camera camera = camera_for(*scene, viewpoint);
+    return Drawing{std::move(*scene), viewpoint, camera, std::move(*baked),
                    Shown{std::move(*view), exposure_stops}};
 }
 
@@ -126,6 +128,7 @@ Result<PreviewResults> measure(const Drawing& drawing, const PreviewOptions& opt
     results.pictures = picture_names(pictures, results.file);
     results.view = options.view.name;
     results.exposure_stops = drawing.shown.exposure_stops;
+    results.yaw_degrees = drawing.viewpoint.yaw_degrees;
     results.notes = drawing.baked.notes;
     results.spheres = spheres_in(drawing);
     if (!source) return results;
@@ -150,7 +153,7 @@ Status write_page_file(const Drawing& drawing, const PreviewOptions& options,
     Page page = page_of(drawing.baked, results);
     page.scene = drawing.scene;
     page.scene_note = options.scene.note();
-    page.viewpoint = options.scene.viewpoint();
+    page.viewpoint = drawing.viewpoint;
     page.background = options.scene.background();
     page.exposure_stops = drawing.shown.exposure_stops;
     page.view = options.view.name;
