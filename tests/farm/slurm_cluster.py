@@ -85,11 +85,18 @@ class SlurmCluster:
         self._start(["slurmd", "-D", "-N", name], f"{name}.out")
 
     def kill_node(self, name: str) -> int:
-        """Ends all processes of a node at once, as a power cut does. Returns how many there were."""
-        mine = [process for process in descendants(os.getpid()) if self._is_of_node(process, name)]
-        for process in mine:
-            end(process)
-        return len(mine)
+        """Ends all processes of a node at once, as a power cut does, and waits until they are gone, with
+        those that were just being started. Returns how many there were."""
+        killed: set[int] = set()
+
+        def gone() -> bool:
+            mine = [process for process in descendants(os.getpid()) if self._is_of_node(process, name)]
+            for process in mine:
+                end(process)
+            killed.update(mine)
+            return not mine
+        self._wait(gone, f"the end of node {name}", pause=0)
+        return len(killed)
 
     def run(self, *command) -> str:
         """The output of a command of Slurm."""
@@ -157,9 +164,9 @@ class SlurmCluster:
         self.children.start([program(command[0]), *command[1:]], self.folder / log,
                             env=self.environment)
 
-    def _wait(self, ready, what: str, seconds: float = 60) -> None:
+    def _wait(self, ready, what: str, seconds: float = 60, pause: float = 0.2) -> None:
         deadline = time.monotonic() + seconds
         while not ready():
             if time.monotonic() > deadline:
                 raise RuntimeError(f"{what}: not ready after {seconds} s{self.logs()}")
-            time.sleep(0.2)
+            time.sleep(pause)
