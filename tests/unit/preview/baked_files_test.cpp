@@ -9,20 +9,12 @@
 #include "splitsum/report/harmonics_file.h"
 #include "splitsum/table/split_sum_lookup.h"
 #include "support/temporary_folder.h"
+#include "unit/preview/direction_sky.h"
 
 namespace splitsum {
 namespace {
 
-// Another colour for every direction and level, all above 0.
-Cubemap sky(int face_size, double level) {
-    Cubemap cubemap(face_size);
-    for (int face = 0; face < face_count; ++face)
-        for (int y = 0; y < face_size; ++y)
-            for (int x = 0; x < face_size; ++x)
-                cubemap.at(face, x, y) =
-                    Vec3(Vec3d(1.5 + level) + direction_of_texel(face, x, y, face_size));
-    return cubemap;
-}
+using tests::direction_sky;
 
 AssetFacts facts(AssetFacts::Kind kind) {
     AssetFacts facts;
@@ -40,9 +32,9 @@ AssetFacts facts(AssetFacts::Kind kind) {
 class BakedFilesTest : public testing::Test {
 protected:
     BakedFilesTest() {
-        write_cube({sky(16, 0), sky(8, 1), sky(4, 2)}, facts(AssetFacts::Kind::specular),
-                   files_.specular);
-        write_cube({sky(8, 5)}, facts(AssetFacts::Kind::irradiance), files_.irradiance);
+        write_cube({direction_sky(16, 0), direction_sky(8, 1), direction_sky(4, 2)},
+                   facts(AssetFacts::Kind::specular), files_.specular);
+        write_cube({direction_sky(8, 5)}, facts(AssetFacts::Kind::irradiance), files_.irradiance);
         write_table(TablePlan{}, files_.table);
     }
 
@@ -105,13 +97,13 @@ TEST_F(BakedFilesTest, AreReadFromEveryContainerAndFormat) {
         {PixelFormat::rgba16f, "e.exr", 4e-3},  {PixelFormat::rgba32f, "f.exr", 1e-6}};
     for (const Stored& as : stored) {
         files_.specular = folder_ / as.file;
-        write_cube({sky(16, 0), sky(8, 1), sky(4, 2)}, facts(AssetFacts::Kind::specular),
-                   files_.specular, as.format);
+        write_cube({direction_sky(16, 0), direction_sky(8, 1), direction_sky(4, 2)},
+                   facts(AssetFacts::Kind::specular), files_.specular, as.format);
         const auto baked = read_baked(files_);
         ASSERT_TRUE(baked) << baked.error().message;
         ASSERT_EQ(baked->light.specular.size(), 3u);
         for (int level = 0; level < 3; ++level) {
-            const Cubemap meant = sky(16 >> level, level);
+            const Cubemap meant = direction_sky(16 >> level, level);
             for (size_t i = 0; i < meant.texels.size(); ++i)
                 ASSERT_LT(length(baked->light.specular[size_t(level)].texels[i] - meant.texels[i]),
                           as.tolerance)
@@ -128,7 +120,7 @@ TEST_F(BakedFilesTest, DivideStoredIrradianceByPi) {
     ASSERT_TRUE(per_pi);
     AssetFacts said = facts(AssetFacts::Kind::irradiance);
     said.stores_irradiance = true;
-    Cubemap irradiance = sky(8, 5);
+    Cubemap irradiance = direction_sky(8, 5);
     for (Vec3& texel : irradiance.texels) texel *= std::numbers::pi_v<float>;
     write_cube({irradiance}, said, files_.irradiance);
     const auto stored = read_baked(files_);
@@ -159,7 +151,7 @@ TEST_F(BakedFilesTest, OfDifferentPanoramasAreNoted) {
     brighter.source.exposure_stops = 2;
     another.source.hash[12] = 'f';
     for (const AssetFacts& said : {turned, brighter, another}) {
-        write_cube({sky(8, 5)}, said, files_.irradiance);
+        write_cube({direction_sky(8, 5)}, said, files_.irradiance);
         const auto baked = read_baked(files_);
         ASSERT_TRUE(baked);
         ASSERT_EQ(baked->notes.size(), 1u);
@@ -196,12 +188,12 @@ TEST_F(BakedFilesTest, OfTheWrongKindAreRefused) {
 
 TEST_F(BakedFilesTest, ThatDoNotSayWhatTheyAreAreRefused) {
     std::vector<EncodeCounts> counts;
-    const std::vector<Cubemap> levels = {sky(4, 0)};
+    const std::vector<Cubemap> levels = {direction_sky(4, 0)};
     const TextureAsset texture = texture_from_cubemaps(levels, PixelFormat::rgba16f, counts);
     ASSERT_TRUE(write_texture(texture, files_.specular));
     expect_refused(files_, ErrorKind::unusable_input, "does not say what its texels mean");
     AssetFacts said = facts(AssetFacts::Kind::specular);
-    write_cube({sky(8, 0), sky(4, 1)}, said, files_.specular);
+    write_cube({direction_sky(8, 0), direction_sky(4, 1)}, said, files_.specular);
     expect_refused(files_, ErrorKind::unusable_input, "2 levels and names 3 roughness values");
 }
 

@@ -6,25 +6,17 @@
 
 #include "splitsum/base/parallel.h"
 #include "splitsum/sphere/cubemap_lookup.h"
+#include "unit/preview/direction_sky.h"
 
 namespace splitsum {
 namespace {
 
-// The direction is the colour, so that a mirrored picture differs.
-Cubemap sky(int face_size, double level) {
-    Cubemap cubemap(face_size);
-    for (int face = 0; face < face_count; ++face)
-        for (int y = 0; y < face_size; ++y)
-            for (int x = 0; x < face_size; ++x)
-                cubemap.at(face, x, y) =
-                    Vec3(Vec3d(1.5 + level) + direction_of_texel(face, x, y, face_size));
-    return cubemap;
-}
+using tests::direction_sky;
 
 BakedLight lopsided_light() {
     BakedLight light;
-    light.specular = {sky(32, 0), sky(16, 0.5), sky(8, 1)};
-    light.irradiance = sky(8, 2);
+    light.specular = {direction_sky(32, 0), direction_sky(16, 0.5), direction_sky(8, 1)};
+    light.irradiance = direction_sky(8, 2);
     light.split_sum = blank_table(4, 4, 2);
     for (size_t i = 0; i < light.split_sum.values.size(); ++i)
         light.split_sum.values[i] = 0.1f + 0.01f * float(i);
