@@ -128,7 +128,10 @@ Status LibraryWork::check_memory(const LibraryItem& item, int64_t bytes) const {
         ErrorKind::bad_argument,
         cat("baking ", job_of(item).panorama.file.string(), " may take ", mebibytes(bytes),
             "M of memory with ", run_.threads, " threads, and the limit leaves ", *limit / mebibyte,
-            "M; a limit that is ", mebibytes(bytes - *limit), "M higher would do")};
+            "M; a limit that is ", mebibytes(bytes - *limit), "M higher would do",
+            job_of(item).reading.repair
+                ? "; less does without --repair, which may have to keep all pixels"
+                : "")};
 }
 
 void LibraryWork::bake(LibraryItem& item) {
