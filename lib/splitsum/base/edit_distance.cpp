@@ -4,6 +4,8 @@
 #include <numeric>
 #include <vector>
 
+#include "splitsum/base/text.h"
+
 namespace splitsum {
 
 size_t edit_distance(std::string_view from, std::string_view to) {
@@ -37,6 +39,12 @@ std::optional<std::string> nearest_name(std::string_view typed,
     }
     if (!nearest) return std::nullopt;
     return *nearest;
+}
+
+std::string names_instead(std::string_view typed, std::span<const std::string> names) {
+    const auto nearest = nearest_name(typed, names);
+    return cat(nearest ? cat("; did you mean ", *nearest, "? There are: ") : "; there are: ",
+               join(names, ", "));
 }
 
 }  // namespace splitsum

@@ -15,4 +15,8 @@ size_t edit_distance(std::string_view from, std::string_view to);
 /// no more than a third of the letters of `typed` and one more differ.
 std::optional<std::string> nearest_name(std::string_view typed, std::span<const std::string> names);
 
+/// How a message that there is no `typed` goes on: "; did you mean size? There are: size, levels",
+/// or without a guess "; there are: size, levels".
+std::string names_instead(std::string_view typed, std::span<const std::string> names);
+
 }  // namespace splitsum

@@ -46,11 +46,8 @@ Error no_view(const std::string& name, const fs::path& file,
               const std::vector<DisplayView>& views) {
     std::vector<std::string> names;
     for (const DisplayView& view : views) names.push_back(view.name());
-    const auto nearest = nearest_name(name, names);
-    return {ErrorKind::bad_argument,
-            cat("no view '", name, "' in ", file.string(),
-                nearest ? cat("; did you mean ", *nearest, "? There are: ") : "; there are: ",
-                names.empty() ? "none" : join(names, ", "))};
+    return {ErrorKind::bad_argument, cat("no view '", name, "' in ", file.string(),
+                                         names_instead(name, names), names.empty() ? "none" : "")};
 }
 
 // From the working space through the role that joins it to the config.

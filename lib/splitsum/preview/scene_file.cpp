@@ -50,12 +50,8 @@ Error no_json(const std::string& text, const Json::parse_error& error) {
 Status check_keys(const Json& object, const std::string& place,
                   const std::vector<std::string>& known) {
     for (const auto& [key, value] : object.items()) {
-        if (std::ranges::find(known, key) != known.end()) continue;
-        const auto nearest = nearest_name(key, known);
-        return unusable(
-            cat(place, " has no '", key, "'",
-                nearest ? cat("; did you mean ", *nearest, "? There are: ") : "; there are: ",
-                join(known, ", ")));
+        if (std::ranges::find(known, key) == known.end())
+            return unusable(cat(place, " has no '", key, "'", names_instead(key, known)));
     }
     return ok;
 }

@@ -26,12 +26,9 @@ Error unknown_view(const std::string& name, const std::filesystem::path& ocio_co
         if (!more) return more.error();
         names.insert(names.end(), more->begin(), more->end());
     }
-    const auto nearest = nearest_name(name, names);
-    return {
-        ErrorKind::bad_argument,
-        cat("no view '", name, "'",
-            nearest ? cat("; did you mean ", *nearest, "? There are: ") : "; there are: ",
-            join(names, ", "), ocio_config.empty() ? "; more come with --ocio-config FILE" : "")};
+    return {ErrorKind::bad_argument,
+            cat("no view '", name, "'", names_instead(name, names),
+                ocio_config.empty() ? "; more come with --ocio-config FILE" : "")};
 }
 
 }  // namespace

@@ -46,5 +46,11 @@ TEST(NearestName, LosesNoTimeOnVeryLongText) {
     EXPECT_EQ(nearest_name(std::string(10'000'000, 's'), names), std::nullopt);
 }
 
+TEST(NamesInstead, BeginsWithAGuessIfThereIsOne) {
+    const std::vector<std::string> names = {"size", "levels"};
+    EXPECT_EQ(names_instead("sise", names), "; did you mean size? There are: size, levels");
+    EXPECT_EQ(names_instead("colour", names), "; there are: size, levels");
+}
+
 }  // namespace
 }  // namespace splitsum
