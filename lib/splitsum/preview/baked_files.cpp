@@ -6,6 +6,7 @@
 #include "splitsum/container/containers.h"
 #include "splitsum/preview/look_up_table.h"
 #include "splitsum/report/harmonics_file.h"
+#include "splitsum/verify/check_levels.h"
 
 namespace splitsum {
 namespace {
@@ -63,26 +64,16 @@ Status read_specular(const fs::path& path, BakedAssets& assets) {
     return ok;
 }
 
-// Texels small enough that reading between them is evaluating the series.
-Cubemap cubemap_of(const IrradianceHarmonics& harmonics) {
-    Cubemap cubemap(64);
-    for (int face = 0; face < face_count; ++face)
-        for (int y = 0; y < cubemap.face_size; ++y)
-            for (int x = 0; x < cubemap.face_size; ++x)
-                cubemap.at(face, x, y) =
-                    Vec3(evaluate(harmonics, direction_of_texel(face, x, y, cubemap.face_size)));
-    return cubemap;
-}
-
 struct Irradiance {
     Cubemap cubemap;
     AssetFacts facts;
 };
 
 Result<Irradiance> irradiance_of_series(const fs::path& path) {
+    constexpr int face_size = 64;  // reading between such texels is evaluating the series
     const auto file = read_harmonics(path);
     if (!file) return file.error();
-    return Irradiance{cubemap_of(file->harmonics), file->facts};
+    return Irradiance{cubemap_of_harmonics(file->harmonics, face_size), file->facts};
 }
 
 Result<Irradiance> irradiance_of_cubemap(const fs::path& path) {

@@ -65,8 +65,8 @@ Result<LevelCheck> check_irradiance(const Cubemap& irradiance, double stored_fac
     return check_diffuse(irradiance, exact->front(), stored_factor);
 }
 
-Cubemap cubemap_of_harmonics(const IrradianceHarmonics& harmonics) {
-    Cubemap values(harmonics_face_size);
+Cubemap cubemap_of_harmonics(const IrradianceHarmonics& harmonics, int face_size) {
+    Cubemap values(face_size);
     for (int face = 0; face < face_count; ++face)
         for (int y = 0; y < values.face_size; ++y)
             for (int x = 0; x < values.face_size; ++x)

@@ -60,11 +60,13 @@ Result<std::vector<LevelCheck>> check_specular(std::span<const Cubemap> levels,
 Result<LevelCheck> check_irradiance(const Cubemap& irradiance, double stored_factor,
                                     const CheckedAgainst& truth, Progress& progress);
 
+/// Texels along an edge at which harmonics are checked.
+inline constexpr int harmonics_face_size = 16;
+
 /// A cubemap of what a renderer evaluates from the harmonics, to be checked like irradiance: the
 /// figure is the price of the short series, not of how it was computed.
-Cubemap cubemap_of_harmonics(const IrradianceHarmonics& harmonics);
-/// Its texels along an edge.
-inline constexpr int harmonics_face_size = 16;
+Cubemap cubemap_of_harmonics(const IrradianceHarmonics& harmonics,
+                             int face_size = harmonics_face_size);
 
 /// Compares cubemap_of_harmonics with exact irradiance.
 Result<LevelCheck> check_harmonics(const IrradianceHarmonics& harmonics,
