@@ -13,6 +13,7 @@ using Color = std::array<uint8_t, 3>;
 constexpr Color none = {255, 255, 255};
 constexpr Color too_bright = {176, 20, 32};
 constexpr Color too_dark = {22, 70, 168};
+
 double luminance_at(const Image& picture, size_t pixel) {
     const float* const p = picture.rgb.data() + 3 * pixel;
     return luminance(Vec3d(p[0], p[1], p[2]));
@@ -21,7 +22,6 @@ double luminance_at(const Image& picture, size_t pixel) {
 }  // namespace
 
 double least_luminance(const TruthPicture& truth) {
-    constexpr double least_share = 0.01;
     double sum = 0;
     int64_t pixels = 0;
     for (size_t i = 0; i < truth.mean.size(); ++i)
@@ -29,7 +29,7 @@ double least_luminance(const TruthPicture& truth) {
             sum += luminance(truth.mean[i]);
             ++pixels;
         }
-    return pixels > 0 ? least_share * sum / double(pixels) : 0;
+    return pixels > 0 ? TruthPicture::least_share * sum / double(pixels) : 0;
 }
 
 Color difference_color(double relative) {

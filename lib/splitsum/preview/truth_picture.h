@@ -36,7 +36,7 @@ struct TruthPicture {
     std::vector<Vec3> standard_error;  ///< of mean; 0 where exact, infinite where not yet drawn
     std::vector<int64_t> samples;      ///< directions drawn; 0 where it is exact
 
-    /// The mean over sampled pixels of s / max(Y, 1 % of the mean Y of all spheres' pixels), with Y
+    /// The mean over sampled pixels of s / max(Y, least_share of the mean Y of all spheres' pixels), with Y
     /// the luminance and s its standard error (its root taken without bias); 0 where nothing needed
     /// samples. Infinite as long as a pixel is missing.
     double noise = 0;
@@ -45,6 +45,7 @@ struct TruthPicture {
     TruthEnd end = TruthEnd::noise_reached;
 
     static constexpr int background = -1;
+    static constexpr double least_share = 0.01;
 };
 
 /// Renders in passes, each of which doubles the samples of those tiles of 8 x 8 pixels of a sphere

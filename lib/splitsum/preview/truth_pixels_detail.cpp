@@ -9,6 +9,7 @@
 
 #include "splitsum/base/parallel.h"
 #include "splitsum/image/luminance.h"
+#include "splitsum/preview/truth_picture.h"
 
 namespace splitsum {
 namespace {
@@ -74,7 +75,7 @@ double least_luminance(const std::vector<TruthPixel>& pixels) {
     const double sum = std::accumulate(
         pixels.begin(), pixels.end(), 0.0,
         [](double before, const TruthPixel& pixel) { return before + luminance(pixel.mean()); });
-    return pixels.empty() ? 0 : 0.01 * sum / double(pixels.size());
+    return pixels.empty() ? 0 : TruthPicture::least_share * sum / double(pixels.size());
 }
 
 double noise_of(const std::vector<TruthTile>& tiles) {
